@@ -1,0 +1,39 @@
+#ifndef galaxy_DustFilaments_h
+#define galaxy_DustFilaments_h
+
+#include "Filters/Model/ParticleWriter.h"
+#include "Filters/Model/Thickness.h"
+
+namespace galaxy
+{
+/// Filaments of dust: from every seed a random walk of up to `steps` particles, the first above or
+/// below the seed itself, in the coordinates (R, theta, z) of the rings, so that they follow the
+/// warp.
+///
+/// In the plane a filament moves with the rotation velocity plus a peculiar velocity u, an
+/// Ornstein-Uhlenbeck process of dispersion sigma_v and rate gamma = 1/damping_time. RingVelocity
+/// freezes the rotation velocity vector of the seed (straight filaments), DiskRotation takes
+/// that of the current place (filaments along the rotation). Every step lasts
+/// dt = step_length / sqrt(v_rot^2 + 2 sigma_v^2), v_rot at the seed.
+/// Across the plane it is a damped oscillator in thermal equilibrium, of frequency
+/// nu = sigma_w / h_d, by the BAOAB scheme (Leimkuhler & Matthews 2013), whose heights have the rms
+/// h_d whatever the step, as long as nu dt < 2.
+/// A filament ends where it would leave the radii its seeds were drawn from. Heights stay below
+/// normalFocalHeight. The particles of a filament share the seed's light equally.
+
+/// Throws Error (file, component) where a step could have nu dt > 1, or no length in time.
+void requireStableFilaments(const Seeds& seeds, const TiltedDisk& disk,
+  const ComponentDescription& component, const std::string& file);
+
+/// How long every filament gets.
+ParticleStarts countFilaments(const Seeds& seeds, const TiltedDisk& disk,
+  const ComponentDescription& component, const RandomKey& key);
+
+/// Writes the filaments, their light being `lightFactor` times the seeds'. `starts` must come from
+/// countFilaments with the same arguments.
+void placeFilaments(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
+  const ComponentDescription& component, const RandomKey& key, double lightFactor,
+  const ParticleWriter& writer);
+} // namespace galaxy
+
+#endif

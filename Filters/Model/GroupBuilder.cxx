@@ -1,0 +1,51 @@
+#include "Filters/Model/GroupBuilder.h"
+
+#include "Filters/Model/Placement.h"
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/Galaxy.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace galaxy
+{
+Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
+{
+  std::vector<Particles> parts;
+  std::vector<std::string> names;
+  std::optional<SkyFrame> origin;
+  const double count = static_cast<double>(group.members.size());
+  for (const GroupMember& member : group.members)
+  {
+    const double done = static_cast<double>(parts.size());
+    BuildOptions memberOptions = options;
+    memberOptions.seed = options.seed + parts.size();
+    if (options.progress)
+    {
+      memberOptions.progress = [&](double f) { return options.progress((done + f) / count); };
+    }
+    const Galaxy galaxy = readGalaxy(besideFile(group.file, member.galaxy));
+    const SkyFrame frame(galaxy.description.centre, galaxy.description.distance);
+    if (!origin)
+    {
+      origin = frame;
+    }
+    BuildReport report;
+    parts.push_back(buildGalaxy(galaxy, memberOptions, &report));
+    if (report.aborted)
+    {
+      return {};
+    }
+    if (std::count(names.begin(), names.end(), galaxy.description.name))
+    {
+      throw Error(group.file, member.galaxy,
+        "a second member is called " + galaxy.description.name + "; names must differ");
+    }
+    names.push_back(galaxy.description.name);
+    placeParticles(
+      placementOf(frame, *origin, group.magnification * member.magnification, group.separation),
+      parts.back());
+  }
+  return mergeParticles(parts, names);
+}
+} // namespace galaxy

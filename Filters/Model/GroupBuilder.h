@@ -1,0 +1,17 @@
+#ifndef galaxy_GroupBuilder_h
+#define galaxy_GroupBuilder_h
+
+#include "Filters/Model/GalaxyBuilder.h"
+
+namespace galaxy
+{
+/// Builds every member of a group and places it by right ascension, declination and distance, in
+/// its own tangent frame, into the sky frame of the first member (origin at its centre, kpc),
+/// magnified about its own centre. Components are named "GALAXY/COMPONENT".
+///
+/// Every member draws its own random numbers: options.seed plus its place in the list.
+/// Empty where options.progress asked to abort. Throws Error naming the file at fault.
+Particles buildGroup(const GroupDescription& group, const BuildOptions& options = {});
+} // namespace galaxy
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef galaxy_IntensityScale_h
+#define galaxy_IntensityScale_h
+
+#include "Readers/Formats/GalaxyDescription.h"
+
+#include <vector>
+
+namespace galaxy
+{
+/// From the values of an image to intensities: t = (v - low)/(high - low) clamped to 0..1, then
+/// t, sqrt(t), asinh(10 t)/asinh(10) or, for photographic density, (10^t - 1)/9.
+class IntensityScale
+{
+public:
+  /// Without a clip, `low` is 0 and `high` the 99.9th percentile of the positive values; an image
+  /// without positive values is dark. Throws Error(file, image name) where the clip is empty.
+  IntensityScale(
+    const LayerDescription& layer, const std::vector<float>& values, const std::string& file);
+
+  /// 0 for NaN.
+  double operator()(double value) const;
+
+private:
+  double low = 0;
+  double perUnit = 0;
+  IntensityStretch stretch;
+};
+} // namespace galaxy
+
+#endif

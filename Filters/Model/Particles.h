@@ -1,0 +1,71 @@
+#ifndef galaxy_Particles_h
+#define galaxy_Particles_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace galaxy
+{
+/// A plain array whose memory is not touched before it is written, and which can be given away
+/// (to VTK, which frees it with delete[]).
+template <typename T>
+class Buffer
+{
+public:
+  Buffer() = default;
+  explicit Buffer(std::size_t size)
+    : items(new T[size])
+    , count(size)
+  {
+  }
+  std::size_t size() const { return this->count; }
+  bool empty() const { return this->count == 0; }
+  T* data() { return this->items.get(); }
+  const T* data() const { return this->items.get(); }
+  T& operator[](std::size_t i) { return this->items[i]; }
+  const T& operator[](std::size_t i) const { return this->items[i]; }
+  T* begin() { return this->items.get(); }
+  T* end() { return this->items.get() + this->count; }
+  const T* begin() const { return this->items.get(); }
+  const T* end() const { return this->items.get() + this->count; }
+  T* release()
+  {
+    this->count = 0;
+    return this->items.release();
+  }
+
+private:
+  std::unique_ptr<T[]> items;
+  std::size_t count = 0;
+};
+
+/// What all particles of one component share.
+struct ComponentInfo
+{
+  std::string name;
+  bool absorbs = false;                        ///< else it emits
+  std::array<double, 3> absorption{ 1, 1, 1 }; ///< RGB_A of an absorber
+  double size = 1;                             ///< factor on the smoothing length when drawn
+  double brightness = 1;                       ///< factor on emission or cross-section when drawn
+};
+
+/// Particles as structure of arrays: 24 bytes each, 36 with velocities.
+struct Particles
+{
+  Buffer<float> position;         ///< 3 N, kpc, in the frame of Vec3.h
+  Buffer<float> smoothingLength;  ///< N, kpc: the radius at which the kernel ends
+  Buffer<float> intensity;        ///< N: luminosity, or an absorber's cross-section in kpc^2
+  Buffer<std::uint8_t> color;     ///< 3 N: RGB_s
+  Buffer<std::uint8_t> component; ///< N: index into `components`
+  Buffer<float> velocity;         ///< 3 N, km/s, or empty
+  std::vector<ComponentInfo> components;
+
+  std::size_t size() const { return this->smoothingLength.size(); }
+};
+} // namespace galaxy
+
+#endif

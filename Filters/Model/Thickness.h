@@ -1,0 +1,32 @@
+#ifndef galaxy_Thickness_h
+#define galaxy_Thickness_h
+
+#include "Filters/Model/ParticleWriter.h"
+#include "Filters/Model/Random.h"
+#include "Filters/Model/RingGeometry.h"
+#include "Filters/Model/Seeds.h"
+#include "Readers/Formats/GalaxyDescription.h"
+
+#include <cstdint>
+
+namespace galaxy
+{
+/// Where every seed's particles stand in the component: seed i has those from starts[i] up to
+/// starts[i + 1].
+using ParticleStarts = Buffer<std::uint64_t>;
+
+/// How many children each seed gets: the mean number of its model, rounded up or down at random so
+/// that the mean is kept; at least 1, at most maximum_children. Throws Error (file, component)
+/// where the mean is negative or not a number.
+ParticleStarts countChildren(const Seeds& seeds, const TiltedDisk& disk,
+  const ComponentDescription& component, const RandomKey& key, const std::string& file);
+
+/// Gives a flat disc of seeds its thickness: the children of a seed share its light times
+/// `lightFactor` equally, are displaced in the plane of the seed's ring by normal deviates and
+/// along its normal by the vertical law (never beyond normalFocalHeight), and move with it.
+void placeChildren(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
+  const ComponentDescription& component, const RandomKey& key, double lightFactor,
+  const ParticleWriter& writer);
+} // namespace galaxy
+
+#endif

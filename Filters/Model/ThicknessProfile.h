@@ -1,0 +1,51 @@
+#ifndef galaxy_ThicknessProfile_h
+#define galaxy_ThicknessProfile_h
+
+#include "Filters/Model/RingGeometry.h"
+#include "Readers/Formats/GalaxyDescription.h"
+
+namespace galaxy
+{
+/// The four thickness models as functions of radius R (kpc).
+///
+/// Gaussian (the paper's model 1): children displaced by sigma along every axis; their mean number
+/// is N0 I_p^(1 - gamma), the inverse of I_s = I_p^gamma, so that N I_s = N0 I_p.
+///
+/// Tapered (model 2): N = N0 exp(-R/H_r), scale height H_z, or H_z exp(-R/H_r). The paper prints
+/// exp(-R/H_z), which would leave H_r without use and the disc empty beyond H_z.
+///
+/// Flared (model 3): full width at half maximum after O'Brien, Freeman & van der Kruit 2010
+/// (linear inside the stellar disc, exponential outside, inverse to the rotation velocity):
+///   FWHM = (v_ref/v_rot)^beta { F0 + (Fb - F0) R/Rb (R <= Rb); Fb exp((R - Rb)/L) (R > Rb) },
+/// at most F_max, which it is where v_rot = 0.
+///
+/// Hydrostatic: isothermal gas between its own sheet, the stars' disc and a spherical halo,
+///   sigma_z = 2 sigma_g^2 / (B + sqrt(B^2 + 4 (nu_h^2 + nu_s^2) sigma_g^2)),
+///   B = 4 pi G Sigma_g/sqrt(2 pi), nu_s^2 = 4 pi G Sigma_0 exp(-R/H_r)/(2 z0),
+///   nu_h^2 = v_rot^2/(R^2 + (0.1 kpc)^2),
+/// at most the radius of the last ring, where nothing holds the gas. The dispersion is turned into
+/// other laws' scale heights at equal full width.
+class ThicknessProfile
+{
+public:
+  ThicknessProfile(const ThicknessDescription& thickness, const TiltedDisk& disk);
+
+  LayerLaw law() const { return this->verticalLaw; }
+  /// Scale height of the vertical law, kpc.
+  double scaleHeight(double r) const;
+  /// Mean number of children of a seed of intensity I_p.
+  double meanChildren(double r, double intensity) const;
+  double inPlaneSigma() const { return this->thickness.sigma; } ///< kpc
+
+private:
+  double flaredWidth(double r) const;
+  double hydrostaticDispersion(double r) const;
+
+  ThicknessDescription thickness;
+  const TiltedDisk& disk;
+  LayerLaw verticalLaw;
+  double widthOfUnit; ///< full width at half maximum of the law at scale height 1
+};
+} // namespace galaxy
+
+#endif

@@ -1,0 +1,226 @@
+#include "ParticleData.h"
+
+#include "Filters/AdoptBuffer.h"
+#include "vtkSplatSettings.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace galaxy
+{
+namespace
+{
+void toFieldData(const std::vector<ComponentInfo>& components, vtkFieldData* fields)
+{
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkUnsignedCharArray> absorbs;
+  vtkNew<vtkDoubleArray> absorption, size, brightness;
+  names->SetName("ComponentName");
+  absorbs->SetName("ComponentAbsorbs");
+  absorption->SetName("ComponentAbsorption");
+  absorption->SetNumberOfComponents(3);
+  size->SetName("ComponentSize");
+  brightness->SetName("ComponentBrightness");
+  for (const ComponentInfo& component : components)
+  {
+    names->InsertNextValue(component.name);
+    absorbs->InsertNextValue(component.absorbs ? 1 : 0);
+    absorption->InsertNextTuple(component.absorption.data());
+    size->InsertNextValue(component.size);
+    brightness->InsertNextValue(component.brightness);
+  }
+  fields->AddArray(names);
+  fields->AddArray(absorbs);
+  fields->AddArray(absorption);
+  fields->AddArray(size);
+  fields->AddArray(brightness);
+}
+
+std::vector<ComponentInfo> toComponents(vtkFieldData* fields)
+{
+  auto names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("ComponentName"));
+  if (!names || names->GetNumberOfValues() == 0)
+  {
+    return { ComponentInfo{} };
+  }
+  const auto value = [fields](const char* name, vtkIdType i, int channel, double fallback) {
+    vtkDataArray* array = fields->GetArray(name);
+    return array && i < array->GetNumberOfTuples() && channel < array->GetNumberOfComponents()
+      ? array->GetComponent(i, channel)
+      : fallback;
+  };
+  std::vector<ComponentInfo> components(static_cast<std::size_t>(names->GetNumberOfValues()));
+  for (std::size_t k = 0; k < components.size(); ++k)
+  {
+    const auto i = static_cast<vtkIdType>(k);
+    components[k].name = names->GetValue(i);
+    components[k].absorbs = value("ComponentAbsorbs", i, 0, 0) != 0;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      components[k].absorption[channel] = value("ComponentAbsorption", i, channel, 1);
+    }
+    components[k].size = value("ComponentSize", i, 0, 1);
+    components[k].brightness = value("ComponentBrightness", i, 0, 1);
+  }
+  return components;
+}
+
+/// Pointers into the arrays of particles, converting those of another type.
+class ArrayViews
+{
+public:
+  ArrayViews(vtkPolyData* particles, ParticleInput& input)
+    : particles(particles)
+    , input(input)
+  {
+  }
+
+  /// Null where the array is absent; says a problem where it has the wrong shape.
+  template <typename Array>
+  auto find(const char* name, int minChannels, int maxChannels)
+    -> decltype(Array::New()->GetPointer(0))
+  {
+    vtkDataArray* array = this->particles->GetPointData()->GetArray(name);
+    if (!array)
+    {
+      return nullptr;
+    }
+    const int channels = array->GetNumberOfComponents();
+    if (channels < minChannels || channels > maxChannels || channels == 2)
+    {
+      this->input.problem = std::string("point array ") + name + " has " +
+        std::to_string(channels) + " components instead of " + std::to_string(maxChannels);
+      return nullptr;
+    }
+    return this->as<Array>(array);
+  }
+
+  template <typename Array>
+  auto as(vtkDataArray* array) -> decltype(Array::New()->GetPointer(0))
+  {
+    Array* typed = Array::SafeDownCast(array);
+    if (!typed)
+    {
+      auto copy = vtkSmartPointer<Array>::New();
+      copy->DeepCopy(array);
+      this->input.converted.push_back(copy);
+      typed = copy;
+    }
+    return typed->GetPointer(0);
+  }
+
+  int channels(const char* name) const
+  {
+    return this->particles->GetPointData()->GetArray(name)->GetNumberOfComponents();
+  }
+
+private:
+  vtkPolyData* particles;
+  ParticleInput& input;
+};
+}
+
+void toPolyData(Particles&& particles, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(adopt<vtkFloatArray>(particles.position, "Points", 3));
+  output->SetPoints(points);
+  vtkPointData* arrays = output->GetPointData();
+  arrays->AddArray(adopt<vtkFloatArray>(particles.smoothingLength, "SmoothingLength", 1));
+  arrays->AddArray(adopt<vtkFloatArray>(particles.intensity, "Intensity", 1));
+  arrays->AddArray(adopt<vtkUnsignedCharArray>(particles.color, "Color", 3));
+  arrays->AddArray(adopt<vtkUnsignedCharArray>(particles.component, "Component", 1));
+  if (!particles.velocity.empty())
+  {
+    arrays->AddArray(adopt<vtkFloatArray>(particles.velocity, "Velocity", 3));
+  }
+  toFieldData(particles.components, output->GetFieldData());
+}
+
+bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleInput& input)
+{
+  input.components = toComponents(particles->GetFieldData());
+  settings.Apply(input.components, input.visible);
+  ParticleView& view = input.view;
+  view.size = static_cast<std::size_t>(particles->GetNumberOfPoints());
+  view.components = &input.components;
+  view.visible = &input.visible;
+  if (view.size == 0)
+  {
+    return true;
+  }
+  ArrayViews arrays(particles, input);
+  view.position = arrays.as<vtkFloatArray>(particles->GetPoints()->GetData());
+  view.smoothingLength = arrays.find<vtkFloatArray>("SmoothingLength", 1, 1);
+  view.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);
+  view.color = arrays.find<vtkUnsignedCharArray>("Color", 3, 3);
+  view.component = arrays.find<vtkUnsignedCharArray>("Component", 1, 1);
+  view.emission = arrays.find<vtkFloatArray>("Emission", 1, 3);
+  view.absorption = arrays.find<vtkFloatArray>("Absorption", 1, 3);
+  view.emissionChannels = view.emission ? arrays.channels("Emission") : 3;
+  view.absorptionChannels = view.absorption ? arrays.channels("Absorption") : 3;
+  if (input.problem.empty() && !view.smoothingLength)
+  {
+    input.problem = "the particles have no point array SmoothingLength (float32, kpc)";
+  }
+  if (input.problem.empty() && !view.intensity && !view.emission && !view.absorption)
+  {
+    input.problem = "the particles have none of the point arrays Intensity, Emission, Absorption";
+  }
+  return input.problem.empty();
+}
+
+double largestSmoothingLength(vtkPolyData* particles, vtkSplatSettings& settings)
+{
+  vtkDataArray* h = particles->GetPointData()->GetArray("SmoothingLength");
+  if (!h)
+  {
+    return 0;
+  }
+  std::vector<ComponentInfo> components = toComponents(particles->GetFieldData());
+  std::vector<bool> visible;
+  settings.Apply(components, visible);
+  double factor = 0;
+  for (const ComponentInfo& component : components)
+  {
+    factor = std::max(factor, component.size);
+  }
+  double range[2];
+  h->GetFiniteRange(range);
+  return std::max(0.0, factor * range[1]);
+}
+
+RenderOptions renderOptions(vtkSplatSettings& settings)
+{
+  RenderOptions options;
+  options.kernel =
+    settings.GetKernel() == vtkSplatSettings::CUBIC_SPLINE ? Kernel::CubicSpline : Kernel::Gaussian;
+  return options;
+}
+
+std::string describe(const RenderStatistics& statistics)
+{
+  std::ostringstream text;
+  text << statistics.drawn << " particles drawn, " << statistics.culled << " culled";
+  if (statistics.invalid)
+  {
+    text << ", " << statistics.invalid << " invalid";
+  }
+  for (const auto& stage : statistics.seconds)
+  {
+    text << "; " << stage.first << " " << stage.second << " s";
+  }
+  return text.str();
+}
+}

@@ -1,0 +1,168 @@
+#include "Filters/Splatting/ActiveEffects.h"
+#include "Filters/Splatting/CubicSpline.h"
+#include "Filters/Splatting/OpticalModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace galaxy
+{
+namespace
+{
+/// A particle on the image plane, in double precision: positions and h in pixels of the image.
+struct Disc
+{
+  double x, y, h, depth;
+  double e[3], t[3];
+};
+
+/// The particle's place straight from the definition of the camera; false behind the eye.
+bool project(
+  const Vec3& position, double radius, const ParticleLight& light, const Camera& camera, Disc& disc)
+{
+  const Vec3 d = position - camera.eye;
+  const double along = dot(d, camera.forward);
+  if (!camera.parallel && along <= 0)
+  {
+    return false;
+  }
+  const double pixelsPerKpc = camera.parallel ? camera.scale : camera.scale / along;
+  disc.x = camera.centerX + pixelsPerKpc * dot(d, camera.right);
+  disc.y = camera.centerY + pixelsPerKpc * dot(d, camera.up);
+  disc.h = pixelsPerKpc * radius;
+  disc.depth = camera.parallel ? along : length(d);
+  for (int c = 0; c < 3; ++c)
+  {
+    disc.e[c] = light.L[c] * pixelsPerKpc * pixelsPerKpc;
+    disc.t[c] = light.K[c] * pixelsPerKpc * pixelsPerKpc;
+  }
+  return true;
+}
+
+/// The share of a Gaussian disc's light in pixel (i, j), see GaussianFootprint.
+double gaussianShare(const Disc& disc, int i, int j)
+{
+  const double h = std::max(disc.h, 1e-4);
+  const double sigma = h / 3;
+  const double gapX = std::max({ i - disc.x, disc.x - (i + 1), 0.0 });
+  const double gapY = std::max({ j - disc.y, disc.y - (j + 1), 0.0 });
+  if (gapX * gapX + gapY * gapY >= h * h)
+  {
+    return 0;
+  }
+  const double across = std::erf((i + 1 - disc.x) / sigma) - std::erf((i - disc.x) / sigma);
+  const double along = std::erf((j + 1 - disc.y) / sigma) - std::erf((j - disc.y) / sigma);
+  const double edge = (h + 2 / M_PI) / sigma;
+  return 0.25 * across * along / (1 - std::exp(-edge * edge));
+}
+
+/// The share of a spline disc's light in pixel (i, j), see SplineFootprint.
+double splineShare(const Disc& disc, int i, int j)
+{
+  const double h = std::max(disc.h, 1e-3);
+  const int n = static_cast<int>(std::ceil(std::max(1.0, 4 / h)));
+  const int x0 = std::max(0, static_cast<int>((disc.x - h - i) * n) - 1);
+  const int x1 = std::min(n, static_cast<int>((disc.x + h - i) * n) + 2);
+  const int y0 = std::max(0, static_cast<int>((disc.y - h - j) * n) - 1);
+  const int y1 = std::min(n, static_cast<int>((disc.y + h - j) * n) + 2);
+  const double gauss = 1 / std::sqrt(12.0);
+  double sum = 0;
+  for (int y = y0; y < y1; ++y)
+  {
+    for (int x = x0; x < x1; ++x)
+    {
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const double dx = i + (x + 0.5 + (corner & 1 ? gauss : -gauss)) / n - disc.x;
+        const double dy = j + (y + 0.5 + (corner & 2 ? gauss : -gauss)) / n - disc.y;
+        sum += projectedCubicSpline(std::hypot(dx, dy) / h);
+      }
+    }
+  }
+  return sum / (4.0 * n * n * h * h);
+}
+
+/// Light and optical depth of the whole image.
+struct Sums
+{
+  std::vector<double> I;
+  std::vector<double> tau;
+};
+
+void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& options, Sums& sums)
+{
+  const int i0 = static_cast<int>(std::max(0.0, std::floor(disc.x - disc.h) - 1));
+  const int j0 = static_cast<int>(std::max(0.0, std::floor(disc.y - disc.h) - 1));
+  const double i1 = std::min<double>(camera.width, disc.x + disc.h + 2);
+  const double j1 = std::min<double>(camera.height, disc.y + disc.h + 2);
+  for (int j = j0; j < j1; ++j)
+  {
+    for (int i = i0; i < i1; ++i)
+    {
+      const std::size_t pixel = std::size_t(j) * camera.width + i;
+      if (options.opaqueDepth && options.opaqueDepth[pixel] < disc.depth)
+      {
+        continue;
+      }
+      const double G =
+        options.kernel == Kernel::Gaussian ? gaussianShare(disc, i, j) : splineShare(disc, i, j);
+      for (int c = 0; c < 3; ++c)
+      {
+        double& I = sums.I[3 * pixel + c];
+        I = throughSlab(I, disc.e[c] * G, disc.t[c] * G);
+        sums.tau[3 * pixel + c] += disc.t[c] * G;
+      }
+    }
+  }
+}
+
+std::vector<Disc> visibleDiscs(
+  const ParticleView& particles, const Camera& camera, ProjectionCounts& counts)
+{
+  const Projection projection(particles, camera);
+  std::vector<Disc> discs;
+  for (std::size_t i = 0; i < particles.size; ++i)
+  {
+    if (projection.classify(i, counts).empty())
+    {
+      continue;
+    }
+    const float* p = particles.position + 3 * i;
+    Disc disc;
+    if (project({ p[0], p[1], p[2] }, projection.radius(i), projection.light(i), camera, disc))
+    {
+      discs.push_back(disc);
+    }
+  }
+  std::stable_sort(
+    discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.depth > b.depth; });
+  return discs;
+}
+} // namespace
+
+RenderedImage renderReference(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options)
+{
+  ProjectionCounts counts;
+  const std::size_t values = 3 * std::size_t(camera.width) * camera.height;
+  Sums sums{ std::vector<double>(values), std::vector<double>(values) };
+  for (const Disc& disc : visibleDiscs(particles, camera, counts))
+  {
+    addDisc(disc, camera, options, sums);
+  }
+  RenderedImage image;
+  image.width = camera.width;
+  image.height = camera.height;
+  image.radiance.assign(sums.I.begin(), sums.I.end());
+  image.transmittance.resize(values);
+  std::transform(sums.tau.begin(), sums.tau.end(), image.transmittance.begin(),
+    [](double tau) { return static_cast<float>(std::exp(-tau)); });
+  image.statistics.drawn = counts.drawn;
+  image.statistics.culled = counts.culled;
+  image.statistics.invalid = counts.invalid;
+  image.statistics.absorbers = counts.absorbers;
+  image.statistics.activeEffects = activeEffects(counts);
+  return image;
+}
+} // namespace galaxy

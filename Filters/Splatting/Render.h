@@ -1,0 +1,89 @@
+#ifndef galaxy_Render_h
+#define galaxy_Render_h
+
+#include "Filters/Model/Particles.h"
+#include "Filters/Splatting/Camera.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace galaxy
+{
+/// The radial profile of a particle, normalised to 1 in projection.
+enum class Kernel
+{
+  Gaussian,    ///< exp(-b^2/sigma^2), sigma = h/3, zero beyond h
+  CubicSpline, ///< line integral of the M4 spline of support h
+};
+
+/// Particles to draw, seen in place. Either `intensity` and `color` with a component table, or
+/// `emission` and `absorption` (each may be null: not simulated), or a mixture: where `emission`
+/// or `absorption` is given it replaces what intensity and colour would say.
+struct ParticleView
+{
+  std::size_t size = 0;
+  const float* position = nullptr;         ///< 3 N, kpc
+  const float* smoothingLength = nullptr;  ///< N, kpc
+  const float* intensity = nullptr;        ///< N
+  const std::uint8_t* color = nullptr;     ///< 3 N, null: white
+  const std::uint8_t* component = nullptr; ///< N, null: all of component 0
+  const float* emission = nullptr;         ///< emissionChannels x N: luminosity
+  const float* absorption = nullptr;       ///< absorptionChannels x N: cross-section, kpc^2
+  int emissionChannels = 3;                ///< 1 (grey) or 3
+  int absorptionChannels = 3;              ///< 1 (grey) or 3
+  const std::vector<ComponentInfo>* components = nullptr; ///< null: one emitting component
+  const std::vector<bool>* visible = nullptr;             ///< per component; null: all
+};
+
+/// How to draw; none of it changes what the particles are.
+struct RenderOptions
+{
+  Kernel kernel = Kernel::Gaussian;
+  /// Per pixel, the distance (perspective) or depth (parallel) in kpc of opaque geometry; what
+  /// lies behind it is not seen. Null: nothing opaque.
+  const float* opaqueDepth = nullptr;
+  /// Called from the calling thread with the fraction done; returning false aborts the rendering.
+  std::function<bool(double)> progress;
+};
+
+/// What a rendering did and what it cost.
+struct RenderStatistics
+{
+  std::size_t drawn = 0;     ///< particles that touch the image
+  std::size_t culled = 0;    ///< off the image, behind the camera, hidden or without effect
+  std::size_t invalid = 0;   ///< NaN, infinite or negative where that has no meaning
+  std::size_t absorbers = 0; ///< of those drawn
+  std::vector<std::pair<std::string, double>> seconds; ///< by stage
+  std::string activeEffects;                           ///< what the scene called for, in words
+};
+
+/// A finished picture in linear light, rows from the bottom up.
+struct RenderedImage
+{
+  int width = 0;
+  int height = 0;
+  bool aborted = false;        ///< then the picture is empty
+  std::vector<float> radiance; ///< 3 per pixel, luminosity per kpc^2: the pixel's mean over black
+  std::vector<float>
+    transmittance; ///< 3 per pixel: the share of a light behind everything that arrives
+  RenderStatistics statistics;
+};
+
+/// Accuracy level `Sorted`, the paper's model: one slab a particle, in strict order of the centres'
+/// distance (parallel projection: depth; ties by index), every particle and channel, by the update
+/// I <- I exp(-t) + e phi(t). Identical for any number of threads.
+RenderedImage renderSorted(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
+
+/// The same picture in double precision, particle by particle over whole footprints, without
+/// tiles or tables: what renderSorted is tested against. For small scenes.
+RenderedImage renderReference(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
+} // namespace galaxy
+
+#endif

@@ -1,0 +1,49 @@
+#include "Filters/Splatting/ToneMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace galaxy
+{
+namespace
+{
+/// NaN and negative light show as black.
+double positive(double x)
+{
+  return x > 0 ? x : 0;
+}
+
+/// The softening of Lupton et al. (2004), equation 1 with their Q and alpha in one: linear for
+/// faint light, logarithmic for bright, 1 at 1.
+double stretched(double x, double Q)
+{
+  return Q > 0 ? std::asinh(Q * x) / std::asinh(Q) : x;
+}
+} // namespace
+
+void applyToneMap(const ToneMap& map, const float* radiance, float* display, std::size_t count)
+{
+  const std::ptrdiff_t pixels = static_cast<std::ptrdiff_t>(count);
+  const double largest = std::numeric_limits<float>::max();
+#pragma omp parallel for
+  for (std::ptrdiff_t i = 0; i < pixels; ++i)
+  {
+    double light[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      light[c] = std::min(positive(radiance[3 * i + c] * map.exposure), largest);
+    }
+    const double mean = (light[0] + light[1] + light[2]) / 3;
+    const double gain = mean > 0 ? stretched(mean, map.stretch) / mean : 0;
+    // Clipping the three channels one by one would turn bright colours white: scale them together.
+    const double brightest = gain * std::max({ light[0], light[1], light[2] });
+    const double fit = gain / std::max(1.0, brightest);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = std::min(1.0, light[c] * fit);
+      display[3 * i + c] = static_cast<float>(std::pow(value, 1 / map.gamma));
+    }
+  }
+}
+} // namespace galaxy

@@ -1,0 +1,22 @@
+#ifndef galaxy_ToneMap_h
+#define galaxy_ToneMap_h
+
+#include <cstddef>
+#include <vector>
+
+namespace galaxy
+{
+/// From linear light to the display: exposure, then asinh stretch with the hue kept (Lupton et al.
+/// 2004, PASP 116, 133), then gamma.
+struct ToneMap
+{
+  double exposure = 1; ///< factor on the radiance
+  double stretch = 10; ///< softening Q: mean light x becomes asinh(Q x)/asinh(Q); 0 is linear
+  double gamma = 1;    ///< displayed value is (stretched value)^(1/gamma)
+};
+
+/// `count` RGB pixels of radiance to display values in [0, 1].
+void applyToneMap(const ToneMap& map, const float* radiance, float* display, std::size_t count);
+} // namespace galaxy
+
+#endif

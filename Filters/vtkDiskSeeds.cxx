@@ -1,0 +1,64 @@
+#include "vtkDiskSeeds.h"
+
+#include "Filters/Model/GalaxyBuilder.h"
+#include "Filters/SeedData.h"
+#include "Readers/DataObjects.h"
+#include "Readers/Formats/Error.h"
+
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkDiskSeeds);
+
+namespace
+{
+std::string firstDisk(const galaxy::GalaxyDescription& description)
+{
+  for (const galaxy::ComponentDescription& component : description.components)
+  {
+    if (component.type == galaxy::ComponentType::Disk)
+    {
+      return component.name;
+    }
+  }
+  throw galaxy::Error(description.file, "component", "the galaxy has no disc");
+}
+}
+
+int vtkDiskSeeds::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+int vtkDiskSeeds::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  try
+  {
+    galaxy::SeedData data;
+    data.galaxy = galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));
+    data.component = this->Component.empty() ? firstDisk(data.galaxy.description) : this->Component;
+    galaxy::BuildOptions options;
+    options.particleScale = this->ParticleScale;
+    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
+    data.seeds = galaxy::buildSeeds(data.galaxy, data.component, options);
+    galaxy::toPolyData(std::move(data), vtkPolyData::GetData(outputVector, 0));
+  }
+  catch (const galaxy::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkDiskSeeds::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "ParticleScale: " << this->ParticleScale << "\n";
+  os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+}

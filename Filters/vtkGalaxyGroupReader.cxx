@@ -1,0 +1,50 @@
+#include "vtkGalaxyGroupReader.h"
+
+#include "Filters/Model/GroupBuilder.h"
+#include "Filters/ParticleData.h"
+#include "Readers/Formats/Error.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkGalaxyGroupReader);
+
+vtkGalaxyGroupReader::vtkGalaxyGroupReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+int vtkGalaxyGroupReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  try
+  {
+    galaxy::GroupDescription group = galaxy::readGroupDescription(this->FileName);
+    group.magnification *= this->Magnification;
+    group.separation *= this->Separation;
+    galaxy::BuildOptions options;
+    options.particleScale = this->ParticleScale;
+    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
+    options.progress = [this](double fraction) {
+      this->UpdateProgress(fraction);
+      return !this->GetAbortExecute();
+    };
+    galaxy::toPolyData(galaxy::buildGroup(group, options), vtkPolyData::GetData(outputVector, 0));
+  }
+  catch (const galaxy::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkGalaxyGroupReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Magnification: " << this->Magnification << "\n";
+  os << indent << "Separation: " << this->Separation << "\n";
+  os << indent << "ParticleScale: " << this->ParticleScale << "\n";
+  os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+}

@@ -1,0 +1,61 @@
+/**
+ * @class   vtkGalaxyModel
+ * @brief   every component of a galaxy as particles
+ *
+ * Input: a galaxy from vtkGalaxyReader. Output: particles (kpc) with `SmoothingLength`,
+ * `Intensity`, `Color`, `Component`, optionally `Velocity`, and the component table in the field
+ * data. The same file, scale and seed give the same particles, bit for bit, for any number of
+ * threads.
+ */
+#ifndef vtkGalaxyModel_h
+#define vtkGalaxyModel_h
+
+#include "vtkGalaxyReconstructionModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the report
+
+class VTKGALAXYRECONSTRUCTION_EXPORT vtkGalaxyModel : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkGalaxyModel* New();
+  vtkTypeMacro(vtkGalaxyModel, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// A factor on the number of particles of every component; the light stays. Default 1.
+  vtkSetMacro(ParticleScale, double);
+  vtkGetMacro(ParticleScale, double);
+  ///@}
+  ///@{
+  /// Another seed gives other particles of the same galaxy. Default 1.
+  vtkSetMacro(RandomSeed, int);
+  vtkGetMacro(RandomSeed, int);
+  ///@}
+  ///@{
+  /// Whether particles get a Velocity (km/s). Default false.
+  vtkSetMacro(Velocities, bool);
+  vtkGetMacro(Velocities, bool);
+  ///@}
+  /// Seeds, particles and seconds by component of the last execution.
+  const char* GetReport() { return this->Report.c_str(); }
+
+protected:
+  vtkGalaxyModel() = default;
+  ~vtkGalaxyModel() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkGalaxyModel(const vtkGalaxyModel&) = delete;
+  void operator=(const vtkGalaxyModel&) = delete;
+
+  double ParticleScale = 1;
+  int RandomSeed = 1;
+  bool Velocities = false;
+  std::string Report;
+};
+
+#endif

@@ -1,0 +1,125 @@
+#include "vtkSplatImage.h"
+
+#include "Filters/ParticleData.h"
+#include "Filters/Splatting/Render.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSplatImage);
+
+namespace
+{
+galaxy::Vec3 vector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+void addChannels(vtkImageData* output, const char* name, const std::vector<float>& values)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  output->GetPointData()->AddArray(array);
+}
+}
+
+vtkSplatImage::vtkSplatImage()
+  : Settings(vtkSmartPointer<vtkSplatSettings>::New())
+{
+}
+
+vtkSplatImage::~vtkSplatImage() = default;
+
+vtkMTimeType vtkSplatImage::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Settings->GetMTime());
+}
+
+int vtkSplatImage::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkSplatImage::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (this->ImageSize[0] < 1 || this->ImageSize[1] < 1)
+  {
+    vtkErrorMacro(<< "ImageSize " << this->ImageSize[0] << " x " << this->ImageSize[1]
+                  << " has no pixel");
+    return 0;
+  }
+  const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
+  outputVector->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkSplatImage::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  // The picture's extent says nothing about the particles': the input is always wanted whole.
+  return 1;
+}
+
+int vtkSplatImage::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* particles = vtkPolyData::GetData(inputVector[0], 0);
+  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  galaxy::ParticleInput input;
+  if (!galaxy::viewParticles(particles, *this->Settings, input))
+  {
+    vtkErrorMacro(<< input.problem);
+    return 0;
+  }
+  const galaxy::Camera camera = galaxy::Camera::lookAt(vector(this->CameraPosition),
+    vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
+    this->CameraParallelScale, this->CameraViewAngle, this->ImageSize[0], this->ImageSize[1]);
+  galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
+  options.progress = [this](double fraction) {
+    this->UpdateProgress(fraction);
+    return !this->GetAbortExecute();
+  };
+  const galaxy::RenderedImage image = galaxy::renderSorted(input.view, camera, options);
+  if (image.aborted)
+  {
+    return 1;
+  }
+  if (image.statistics.invalid > 0)
+  {
+    vtkWarningMacro(<< image.statistics.invalid
+                    << " particles with a NaN, infinite or negative value were left out");
+  }
+  output->SetExtent(0, image.width - 1, 0, image.height - 1, 0, 0);
+  addChannels(output, "Radiance", image.radiance);
+  addChannels(output, "Transmittance", image.transmittance);
+  output->GetPointData()->SetActiveScalars("Radiance");
+  this->ActiveEffects = image.statistics.activeEffects;
+  this->RenderStatistics = galaxy::describe(image.statistics);
+  return 1;
+}
+
+void vtkSplatImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ImageSize: " << this->ImageSize[0] << " x " << this->ImageSize[1] << "\n";
+  os << indent << "CameraParallelProjection: " << this->CameraParallelProjection << "\n";
+  os << indent << "CameraParallelScale: " << this->CameraParallelScale << "\n";
+  os << indent << "CameraViewAngle: " << this->CameraViewAngle << "\n";
+  os << indent << "ActiveEffects: " << this->ActiveEffects << "\n";
+  os << indent << "RenderStatistics: " << this->RenderStatistics << "\n";
+}

@@ -1,0 +1,99 @@
+/**
+ * @class   vtkSplatImage
+ * @brief   a picture of particles in linear light, without a display
+ *
+ * Input: vtkPolyData with point array `SmoothingLength` (kpc) and either `Intensity`, `Color`,
+ * `Component` with a component table, or `Emission` and `Absorption`. Output: vtkImageData with
+ * the point arrays `Radiance` (float32 x 3, luminosity per kpc^2 of projected area, the pixel's
+ * mean) and `Transmittance` (float32 x 3), rows from the bottom up.
+ *
+ * The model is that of Dykes et al., equation for I_after, in the form that is stable for every
+ * optical depth: I <- I exp(-t) + e (1 - exp(-t))/t with e and t the column emission and optical
+ * depth of a particle, in the order of the centres' distance.
+ */
+#ifndef vtkSplatImage_h
+#define vtkSplatImage_h
+
+#include "vtkGalaxyReconstructionModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h"  // for the settings
+#include "vtkSplatSettings.h" // for the forwarding macro
+
+#include <string> // for the statistics
+
+class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatImage : public vtkImageAlgorithm
+{
+public:
+  static vtkSplatImage* New();
+  vtkTypeMacro(vtkSplatImage, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Width and height in pixels. Default 1024 x 1024.
+  vtkSetVector2Macro(ImageSize, int);
+  vtkGetVector2Macro(ImageSize, int);
+  ///@}
+  ///@{
+  /// The camera, as ParaView's views name it; kpc and degrees.
+  vtkSetVector3Macro(CameraPosition, double);
+  vtkGetVector3Macro(CameraPosition, double);
+  vtkSetVector3Macro(CameraFocalPoint, double);
+  vtkGetVector3Macro(CameraFocalPoint, double);
+  vtkSetVector3Macro(CameraViewUp, double);
+  vtkGetVector3Macro(CameraViewUp, double);
+  vtkSetMacro(CameraParallelProjection, bool);
+  vtkGetMacro(CameraParallelProjection, bool);
+  vtkBooleanMacro(CameraParallelProjection, bool);
+  ///@}
+  ///@{
+  /// Half the image's height in kpc under parallel projection.
+  vtkSetMacro(CameraParallelScale, double);
+  vtkGetMacro(CameraParallelScale, double);
+  ///@}
+  ///@{
+  /// The vertical field in degrees under perspective projection.
+  vtkSetMacro(CameraViewAngle, double);
+  vtkGetMacro(CameraViewAngle, double);
+  ///@}
+  ///@{
+  /// See vtkSplatSettings.
+  vtkForwardSplatSettingsMacro;
+  ///@}
+
+  ///@{
+  /// What the last picture called for and what it cost.
+  const char* GetActiveEffects() { return this->ActiveEffects.c_str(); }
+  const char* GetRenderStatistics() { return this->RenderStatistics.c_str(); }
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSplatImage();
+  ~vtkSplatImage() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSplatImage(const vtkSplatImage&) = delete;
+  void operator=(const vtkSplatImage&) = delete;
+
+  int ImageSize[2] = { 1024, 1024 };
+  double CameraPosition[3] = { 0, 0, 1 };
+  double CameraFocalPoint[3] = { 0, 0, 0 };
+  double CameraViewUp[3] = { 0, 1, 0 };
+  bool CameraParallelProjection = false;
+  double CameraParallelScale = 1;
+  double CameraViewAngle = 30;
+  vtkSmartPointer<vtkSplatSettings> Settings;
+  std::string ActiveEffects;
+  std::string RenderStatistics;
+};
+
+#endif

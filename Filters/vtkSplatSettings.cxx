@@ -1,0 +1,80 @@
+#include "vtkSplatSettings.h"
+
+#include "Filters/Model/Particles.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkSplatSettings);
+
+void vtkSplatSettings::SetFactor(FactorMap& factors, const char* component, double factor)
+{
+  if (!component)
+  {
+    return;
+  }
+  factors[component] = factor;
+  this->Modified();
+}
+
+void vtkSplatSettings::ClearFactors(FactorMap& factors)
+{
+  if (!factors.empty())
+  {
+    factors.clear();
+    this->Modified();
+  }
+}
+
+void vtkSplatSettings::SetComponentSize(const char* component, double factor)
+{
+  this->SetFactor(this->Sizes, component, factor);
+}
+
+void vtkSplatSettings::ClearComponentSize()
+{
+  this->ClearFactors(this->Sizes);
+}
+
+void vtkSplatSettings::SetComponentBrightness(const char* component, double factor)
+{
+  this->SetFactor(this->Brightnesses, component, factor);
+}
+
+void vtkSplatSettings::ClearComponentBrightness()
+{
+  this->ClearFactors(this->Brightnesses);
+}
+
+void vtkSplatSettings::SetComponentVisibility(const char* component, int visible)
+{
+  this->SetFactor(this->Visibilities, component, visible);
+}
+
+void vtkSplatSettings::ClearComponentVisibility()
+{
+  this->ClearFactors(this->Visibilities);
+}
+
+void vtkSplatSettings::Apply(
+  std::vector<galaxy::ComponentInfo>& components, std::vector<bool>& visible) const
+{
+  const auto factor = [](const FactorMap& factors, const std::string& name) {
+    const auto found = factors.find(name);
+    return found == factors.end() ? 1.0 : found->second;
+  };
+  visible.assign(components.size(), true);
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    galaxy::ComponentInfo& component = components[i];
+    component.size *= factor(this->Sizes, component.name);
+    component.brightness *= factor(this->Brightnesses, component.name);
+    visible[i] = factor(this->Visibilities, component.name) != 0;
+  }
+}
+
+void vtkSplatSettings::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "CubicSpline") << "\n";
+  os << indent << "Accuracy: Sorted\n";
+}

@@ -1,0 +1,126 @@
+/**
+ * @class   vtkSplatSettings
+ * @brief   what a splatted picture depends on besides the particles and the camera
+ *
+ * Shared by vtkSplatImage and the Splats representation, so that both offer the same choices.
+ * Components are addressed by name; a name that the particles do not have is ignored, so that
+ * settings survive a change of galaxy.
+ */
+#ifndef vtkSplatSettings_h
+#define vtkSplatSettings_h
+
+#include "vtkGalaxyReconstructionModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <map>    // for the factors by component name
+#include <string> // for component names
+#include <vector> // for the component table
+
+namespace galaxy
+{
+struct ComponentInfo;
+}
+
+class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatSettings : public vtkObject
+{
+public:
+  static vtkSplatSettings* New();
+  vtkTypeMacro(vtkSplatSettings, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Kernels
+  {
+    GAUSSIAN = 0,
+    CUBIC_SPLINE = 1,
+  };
+  ///@{
+  /// The particles' profile: Gaussian (default) or CubicSpline; both end at the smoothing length.
+  vtkSetClampMacro(Kernel, int, GAUSSIAN, CUBIC_SPLINE);
+  vtkGetMacro(Kernel, int);
+  ///@}
+
+  enum AccuracyLevels
+  {
+    SORTED = 1,
+  };
+  ///@{
+  /// What is computed: Sorted is the paper's model in strict depth order.
+  vtkSetClampMacro(Accuracy, int, SORTED, SORTED);
+  vtkGetMacro(Accuracy, int);
+  ///@}
+
+  ///@{
+  /// A factor on the smoothing length of one component (default 1).
+  void SetComponentSize(const char* component, double factor);
+  void ClearComponentSize();
+  ///@}
+  ///@{
+  /// A factor on the emission, or the opacity, of one component (default 1).
+  void SetComponentBrightness(const char* component, double factor);
+  void ClearComponentBrightness();
+  ///@}
+  ///@{
+  /// Whether a component is drawn (default: all are).
+  void SetComponentVisibility(const char* component, int visible);
+  void ClearComponentVisibility();
+  ///@}
+
+  /// Applies the factors to a component table and says which components are drawn.
+  void Apply(std::vector<galaxy::ComponentInfo>& components, std::vector<bool>& visible) const;
+
+protected:
+  vtkSplatSettings() = default;
+  ~vtkSplatSettings() override = default;
+
+private:
+  vtkSplatSettings(const vtkSplatSettings&) = delete;
+  void operator=(const vtkSplatSettings&) = delete;
+
+  using FactorMap = std::map<std::string, double>;
+  void SetFactor(FactorMap& factors, const char* component, double factor);
+  void ClearFactors(FactorMap& factors);
+
+  int Kernel = GAUSSIAN;
+  int Accuracy = SORTED;
+  FactorMap Sizes;
+  FactorMap Brightnesses;
+  FactorMap Visibilities;
+};
+
+/// The methods through which a class with a member `vtkSplatSettings* Settings` (or smart pointer)
+/// offers its settings as server-manager properties.
+#define vtkForwardSplatSettingsMacro                                                               \
+  void SetKernel(int kernel)                                                                       \
+  {                                                                                                \
+    this->Settings->SetKernel(kernel);                                                             \
+  }                                                                                                \
+  void SetAccuracy(int accuracy)                                                                   \
+  {                                                                                                \
+    this->Settings->SetAccuracy(accuracy);                                                         \
+  }                                                                                                \
+  void SetComponentSize(const char* component, double factor)                                      \
+  {                                                                                                \
+    this->Settings->SetComponentSize(component, factor);                                           \
+  }                                                                                                \
+  void ClearComponentSize()                                                                        \
+  {                                                                                                \
+    this->Settings->ClearComponentSize();                                                          \
+  }                                                                                                \
+  void SetComponentBrightness(const char* component, double factor)                                \
+  {                                                                                                \
+    this->Settings->SetComponentBrightness(component, factor);                                     \
+  }                                                                                                \
+  void ClearComponentBrightness()                                                                  \
+  {                                                                                                \
+    this->Settings->ClearComponentBrightness();                                                    \
+  }                                                                                                \
+  void SetComponentVisibility(const char* component, int visible)                                  \
+  {                                                                                                \
+    this->Settings->SetComponentVisibility(component, visible);                                    \
+  }                                                                                                \
+  void ClearComponentVisibility()                                                                  \
+  {                                                                                                \
+    this->Settings->ClearComponentVisibility();                                                    \
+  }
+
+#endif

@@ -1,0 +1,30 @@
+# Finds ParaView, builds the plugin beside it and installs it where that ParaView looks.
+set(BUILD_SHARED_LIBS ON) # or ParaView makes the plugin a static library
+find_package(Python3 QUIET COMPONENTS Interpreter Development.Module)
+find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews WrapClientServer)
+message(STATUS "ParaView ${ParaView_VERSION} in ${ParaView_PREFIX_PATH}")
+
+if (CMAKE_INSTALL_PREFIX_INITIALIZED_TO_DEFAULT)
+  set(CMAKE_INSTALL_PREFIX "${ParaView_PREFIX_PATH}" CACHE PATH "Where ParaView is installed" FORCE)
+endif ()
+include(GNUInstallDirs)
+
+set(plugins_subdirectory "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
+set(plugins_file "galaxyreconstruction.plugins.xml")
+
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  ENABLE_BY_DEFAULT ON
+  HIDE_PLUGINS_FROM_CACHE ON)
+paraview_plugin_build(
+  LIBRARY_SUBDIRECTORY "${plugins_subdirectory}"
+  PLUGINS ${plugins}
+  PLUGINS_FILE_NAME "${plugins_file}"
+  INSTALL_HEADERS OFF)
+
+# ParaView lists the plugins of the files named in paraview.conf beside its executable.
+file(RELATIVE_PATH plugins_from_bin "/prefix/${CMAKE_INSTALL_BINDIR}"
+  "/prefix/${CMAKE_INSTALL_LIBDIR}/${plugins_subdirectory}")
+configure_file(Plugin/RegisterPlugin.cmake.in "${CMAKE_BINARY_DIR}/RegisterPlugin.cmake" @ONLY)
+install(SCRIPT "${CMAKE_BINARY_DIR}/RegisterPlugin.cmake")

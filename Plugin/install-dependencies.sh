@@ -1,0 +1,32 @@
+#!/bin/sh
+# Installs, with apt, what building, running and testing needs and is not there yet.
+# Usage: Plugin/install-dependencies.sh [--tests]
+# Says what it does; does nothing, and needs no network, where all is installed.
+set -eu
+
+packages="build-essential cmake ninja-build pkg-config
+  paraview paraview-dev python3-paraview libopenmpi-dev libglew-dev libeigen3-dev
+  libcfitsio-dev wcslib-dev libtomlplusplus-dev librandom123-dev
+  xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5"
+if [ "${1:-}" = "--tests" ]; then
+  packages="$packages libgtest-dev clang-format imagemagick xdotool"
+fi
+
+missing=""
+for package in $packages; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+  echo "Dependencies: all installed."
+  exit 0
+fi
+
+as_root=""
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "Installing$missing needs root or sudo." >&2; exit 1; }
+  as_root="sudo"
+fi
+echo "Dependencies: installing$missing"
+$as_root apt-get update -q
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,309 @@
+#include "DataObjects.h"
+
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/RingPlane.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataAssembly.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace galaxy
+{
+namespace
+{
+constexpr int pointsPerRing = 181;
+constexpr std::size_t cardLength = 80;
+
+/// The columns of a ring table as cell arrays; `length` marks those that `unit` scales.
+struct RingColumn
+{
+  const char* name;
+  double Ring::*member;
+  bool length;
+};
+const RingColumn ringColumns[] = {
+  { "Radius", &Ring::radius, true },
+  { "RotationVelocity", &Ring::rotationVelocity, false },
+  { "ScaleHeight", &Ring::scaleHeight, true },
+  { "Inclination", &Ring::inclination, false },
+  { "PositionAngle", &Ring::positionAngle, false },
+  { "SurfaceBrightness", &Ring::surfaceBrightness, false },
+  { "ExpansionVelocity", &Ring::expansionVelocity, false },
+  { "SystemicVelocity", &Ring::systemicVelocity, false },
+};
+
+void setFieldInteger(vtkDataObject* object, const char* name, int value)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  object->GetFieldData()->AddArray(array);
+}
+
+int fieldInteger(vtkDataObject* object, const char* name, int fallback)
+{
+  vtkDataArray* array = object->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? static_cast<int>(array->GetTuple1(0)) : fallback;
+}
+
+std::string blockName(vtkPartitionedDataSetCollection* collection, unsigned int index)
+{
+  const char* name = collection->HasMetaData(index)
+    ? collection->GetMetaData(index)->Get(vtkCompositeDataSet::NAME())
+    : nullptr;
+  return name ? name : "";
+}
+}
+
+void setFieldString(vtkDataObject* object, const char* name, const std::string& value)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  object->GetFieldData()->AddArray(array);
+}
+
+std::string fieldString(vtkDataObject* object, const char* name, const std::string& what)
+{
+  auto array = vtkStringArray::SafeDownCast(object->GetFieldData()->GetAbstractArray(name));
+  if (!array || array->GetNumberOfValues() == 0)
+  {
+    throw Error(what, name, "no such field array; the input must come from GalaxyReader");
+  }
+  return array->GetValue(0);
+}
+
+void toImageData(const Image& image, vtkImageData* output)
+{
+  output->SetExtent(0, image.width - 1, 0, image.height - 1, 0, 0);
+  output->SetOrigin(1, 1, 0);
+  output->SetSpacing(1, 1, 1);
+  vtkNew<vtkDoubleArray> intensity;
+  intensity->SetName("Intensity");
+  intensity->SetNumberOfValues(static_cast<vtkIdType>(image.values.size()));
+  std::copy(image.values.begin(), image.values.end(), intensity->GetPointer(0));
+  output->GetPointData()->SetScalars(intensity);
+
+  vtkNew<vtkStringArray> cards;
+  cards->SetName("FITSHeader");
+  for (std::size_t start = 0; start < image.cards.size(); start += cardLength)
+  {
+    cards->InsertNextValue(image.cards.substr(start, cardLength));
+  }
+  output->GetFieldData()->AddArray(cards);
+  setFieldString(output, "Unit", image.unit);
+  setFieldString(output, "File", image.file);
+}
+
+Image toImage(vtkImageData* input)
+{
+  Image image;
+  image.file = fieldString(input, "File", "image");
+  image.unit = fieldString(input, "Unit", image.file);
+  int size[3];
+  input->GetDimensions(size);
+  image.width = size[0];
+  image.height = size[1];
+  vtkDataArray* intensity = input->GetPointData()->GetArray("Intensity");
+  if (!intensity || size[2] != 1)
+  {
+    throw Error(image.file, "Intensity", "no such point array on a flat image");
+  }
+  image.values.resize(static_cast<std::size_t>(intensity->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+  {
+    image.values[i] = intensity->GetTuple1(static_cast<vtkIdType>(i));
+  }
+  if (auto cards =
+        vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("FITSHeader")))
+  {
+    for (vtkIdType i = 0; i < cards->GetNumberOfValues(); ++i)
+    {
+      std::string card = cards->GetValue(i);
+      card.resize(cardLength, ' ');
+      image.cards += card;
+    }
+  }
+  return image;
+}
+
+void toPolyData(const RingTable& table, double unit, double spin, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (const Ring& ring : table.rings)
+  {
+    const double degree = M_PI / 180;
+    const RingPlane plane = ringPlane(ring.inclination * degree, ring.positionAngle * degree, spin);
+    lines->InsertNextCell(pointsPerRing);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (int k = 0; k < pointsPerRing - 1; ++k)
+    {
+      const double theta = 2 * M_PI * k / (pointsPerRing - 1);
+      const Vec3 p = (ring.radius * unit) * (std::cos(theta) * plane.a + std::sin(theta) * plane.b);
+      lines->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
+    }
+    lines->InsertCellPoint(first);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  for (const RingColumn& column : ringColumns)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(column.name);
+    for (const Ring& ring : table.rings)
+    {
+      values->InsertNextValue(ring.*column.member * (column.length ? unit : 1));
+    }
+    output->GetCellData()->AddArray(values);
+  }
+  output->GetCellData()->SetActiveScalars("RotationVelocity");
+  setFieldInteger(output, "RingCode", static_cast<int>(table.code));
+  setFieldInteger(output, "LayerLaw", static_cast<int>(table.layerLaw));
+  setFieldString(output, "File", table.file);
+}
+
+RingTable toRingTable(vtkPolyData* input, double unit)
+{
+  RingTable table;
+  table.file = fieldString(input, "File", "rings");
+  table.code = static_cast<RingCode>(fieldInteger(input, "RingCode", 0));
+  table.layerLaw =
+    static_cast<LayerLaw>(fieldInteger(input, "LayerLaw", static_cast<int>(LayerLaw::Sech2)));
+  table.rings.resize(static_cast<std::size_t>(input->GetNumberOfCells()));
+  for (const RingColumn& column : ringColumns)
+  {
+    vtkDataArray* values = input->GetCellData()->GetArray(column.name);
+    if (!values)
+    {
+      throw Error(table.file, column.name, "no such cell array on the rings");
+    }
+    for (std::size_t i = 0; i < table.rings.size(); ++i)
+    {
+      table.rings[i].*column.member =
+        values->GetTuple1(static_cast<vtkIdType>(i)) / (column.length ? unit : 1);
+    }
+  }
+  return table;
+}
+
+void toFieldData(const Galaxy& galaxy, vtkDataObject* object)
+{
+  setFieldString(object, "GalaxyFile", galaxy.description.file);
+  setFieldString(object, "GalaxyDescription", galaxy.description.text);
+  setFieldString(object, "RingFile", galaxy.rings.file);
+  setFieldInteger(object, "RingCode", static_cast<int>(galaxy.rings.code));
+  setFieldInteger(object, "LayerLaw", static_cast<int>(galaxy.rings.layerLaw));
+  vtkNew<vtkDoubleArray> rings;
+  rings->SetName("TiltedRings");
+  rings->SetNumberOfComponents(static_cast<int>(std::size(ringColumns)));
+  for (const Ring& ring : galaxy.rings.rings)
+  {
+    for (const RingColumn& column : ringColumns)
+    {
+      rings->InsertNextValue(ring.*column.member);
+    }
+  }
+  object->GetFieldData()->AddArray(rings);
+}
+
+Galaxy galaxyOfFieldData(vtkDataObject* object)
+{
+  Galaxy galaxy;
+  const std::string file = fieldString(object, "GalaxyFile", "seeds");
+  galaxy.description = parseGalaxyDescription(fieldString(object, "GalaxyDescription", file), file);
+  galaxy.description.images.clear();
+  galaxy.rings.file = fieldString(object, "RingFile", file);
+  galaxy.rings.code = static_cast<RingCode>(fieldInteger(object, "RingCode", 0));
+  galaxy.rings.layerLaw =
+    static_cast<LayerLaw>(fieldInteger(object, "LayerLaw", static_cast<int>(LayerLaw::Sech2)));
+  vtkDataArray* rings = object->GetFieldData()->GetArray("TiltedRings");
+  if (!rings || rings->GetNumberOfComponents() != static_cast<int>(std::size(ringColumns)))
+  {
+    throw Error(file, "TiltedRings", "no such field array; the input must come from DiskSeeds");
+  }
+  for (vtkIdType i = 0; i < rings->GetNumberOfTuples(); ++i)
+  {
+    Ring ring;
+    int channel = 0;
+    for (const RingColumn& column : ringColumns)
+    {
+      ring.*column.member = rings->GetComponent(i, channel++);
+    }
+    galaxy.rings.rings.push_back(ring);
+  }
+  return galaxy;
+}
+
+void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
+{
+  const GalaxyDescription& description = galaxy.description;
+  setFieldString(output, "GalaxyFile", description.file);
+  setFieldString(output, "GalaxyDescription", description.text);
+
+  const auto addBlock = [output](vtkDataObject* block, const std::string& name) {
+    const unsigned int index = output->GetNumberOfPartitionedDataSets();
+    output->SetPartition(index, 0, block);
+    output->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  };
+  vtkNew<vtkPolyData> rings;
+  toPolyData(galaxy.rings, kpcPerArcsec(description.distance),
+    spinOf(galaxy.rings.code, description.spin), rings);
+  addBlock(rings, "rings");
+  for (std::size_t i = 0; i < galaxy.images.size(); ++i)
+  {
+    vtkNew<vtkImageData> image;
+    toImageData(galaxy.images[i], image);
+    addBlock(image, description.images[i].name);
+  }
+}
+
+Galaxy toGalaxy(vtkPartitionedDataSetCollection* input)
+{
+  Galaxy galaxy;
+  const std::string file = fieldString(input, "GalaxyFile", "galaxy");
+  galaxy.description = parseGalaxyDescription(fieldString(input, "GalaxyDescription", file), file);
+
+  const auto block = [&](const std::string& name) -> vtkDataObject* {
+    for (unsigned int i = 0; i < input->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      if (name == blockName(input, i))
+      {
+        return input->GetPartition(i, 0);
+      }
+    }
+    throw Error(file, name, "no such block in the galaxy");
+  };
+  auto rings = vtkPolyData::SafeDownCast(block("rings"));
+  if (!rings)
+  {
+    throw Error(file, "rings", "not polygonal data");
+  }
+  galaxy.rings = toRingTable(rings, kpcPerArcsec(galaxy.description.distance));
+  for (const ImageDescription& description : galaxy.description.images)
+  {
+    auto image = vtkImageData::SafeDownCast(block(description.name));
+    if (!image)
+    {
+      throw Error(file, description.name, "not an image");
+    }
+    galaxy.images.push_back(toImage(image));
+  }
+  return galaxy;
+}
+}

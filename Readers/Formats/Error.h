@@ -1,0 +1,22 @@
+#ifndef galaxy_Error_h
+#define galaxy_Error_h
+
+#include <stdexcept>
+#include <string>
+
+namespace galaxy
+{
+/// The one exception of the VTK-free code: what is wrong, and where in which file.
+class Error : public std::runtime_error
+{
+public:
+  /// `file` is the path as the user gave it; `where` a keyword, a table column or "line 12" (may be
+  /// empty); `what` the cause and, where one is known, the cure.
+  Error(const std::string& file, const std::string& where, const std::string& what)
+    : std::runtime_error(file + ": " + (where.empty() ? "" : where + ": ") + what)
+  {
+  }
+};
+} // namespace galaxy
+
+#endif

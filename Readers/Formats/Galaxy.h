@@ -1,0 +1,25 @@
+#ifndef galaxy_Galaxy_h
+#define galaxy_Galaxy_h
+
+#include "Readers/Formats/GalaxyDescription.h"
+#include "Readers/Formats/Image.h"
+#include "Readers/Formats/RingTable.h"
+
+#include <string>
+#include <vector>
+
+namespace galaxy
+{
+/// A galaxy as read: its description and all that it names.
+struct Galaxy
+{
+  GalaxyDescription description;
+  RingTable rings;
+  std::vector<Image> images; ///< in the order of the description's
+};
+
+/// Reads a .galaxy file with its rings and images. Throws Error naming the file at fault.
+Galaxy readGalaxy(const std::string& file);
+} // namespace galaxy
+
+#endif

@@ -1,0 +1,108 @@
+#include "Readers/Formats/GalaxyDescription.h"
+
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/GalaxyKeys.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace galaxy
+{
+namespace
+{
+/// Every layer must name an image that the file declares.
+void checkLayers(const toml::table& root, const GalaxyDescription& galaxy)
+{
+  std::vector<std::string> declared;
+  for (const ImageDescription& image : galaxy.images)
+  {
+    declared.push_back(image.name);
+  }
+  for (std::size_t c = 0; c < galaxy.components.size(); ++c)
+  {
+    const std::vector<LayerDescription>& layers = galaxy.components[c].layers;
+    for (std::size_t l = 0; l < layers.size(); ++l)
+    {
+      const std::string& name = layers[l].image;
+      if (std::find(declared.begin(), declared.end(), name) == declared.end())
+      {
+        KeyValue(galaxy.file, "image", *root["component"][c]["layers"][l]["image"].node())
+          .fail("there is no [image." + name + "]" + suggestion(name, declared));
+      }
+    }
+  }
+}
+} // namespace
+
+toml::table parseToml(const std::string& text, const std::string& file)
+{
+  try
+  {
+    return toml::parse(text, file);
+  }
+  catch (const toml::parse_error& error)
+  {
+    throw Error(
+      file, "line " + std::to_string(error.source().begin.line), std::string(error.description()));
+  }
+}
+
+GalaxyDescription parseGalaxyDescription(const std::string& text, const std::string& file)
+{
+  const toml::table root = parseToml(text, file);
+  GalaxyDescription galaxy;
+  galaxy.file = file;
+  galaxy.text = text;
+  galaxy.name = std::filesystem::path(file).stem().string();
+  readTable(file, "", root, fileKeys(), galaxy);
+  checkLayers(root, galaxy);
+  return galaxy;
+}
+
+GalaxyDescription readGalaxyDescription(const std::string& file)
+{
+  return parseGalaxyDescription(readText(file), file);
+}
+
+std::string besideFile(const std::string& file, const std::string& path)
+{
+  return (std::filesystem::path(file).parent_path() / path).string();
+}
+
+std::string readText(const std::string& file)
+{
+  std::error_code ignored;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || !std::filesystem::is_regular_file(file, ignored))
+  {
+    throw Error(file, "", "cannot be read");
+  }
+  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  if (stream.bad())
+  {
+    throw Error(file, "", "cannot be read to its end");
+  }
+  return text;
+}
+
+RingTable readRings(const GalaxyDescription& galaxy)
+{
+  if (!galaxy.rings.empty())
+  {
+    return readRingTable(besideFile(galaxy.file, galaxy.rings));
+  }
+  constexpr double arcsecPerRadian = 206264.80624709636;
+  constexpr double kpcPerMpc = 1000;
+  Ring centre;
+  centre.rotationVelocity = galaxy.rotationVelocity;
+  centre.inclination = galaxy.inclination;
+  centre.positionAngle = galaxy.positionAngle;
+  Ring edge = centre;
+  edge.radius = arcsecPerRadian * galaxy.radius / (kpcPerMpc * galaxy.distance);
+  RingTable table;
+  table.file = galaxy.file;
+  table.rings = { centre, edge };
+  return table;
+}
+} // namespace galaxy

@@ -1,0 +1,222 @@
+#ifndef galaxy_GalaxyDescription_h
+#define galaxy_GalaxyDescription_h
+
+#include "Readers/Formats/FitsFile.h"
+#include "Readers/Formats/RingTable.h"
+#include "Readers/Formats/WorldCoordinates.h"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace galaxy
+{
+using Color = std::array<double, 3>; ///< red, green, blue; linear light, 1 is full
+
+enum class SpinSense
+{
+  FromCode,         ///< what the ring table's program means by its angles
+  Clockwise,        ///< on the sky, North through West
+  CounterClockwise, ///< on the sky, North through East
+};
+enum class RingInterpolation
+{
+  LinearAngles, ///< inclination and unwrapped position angle linear in radius
+  Slerp,        ///< the normals along great circles
+};
+enum class BeyondLastRing
+{
+  Drop,
+  HoldLast,
+};
+enum class IntensityStretch
+{
+  Linear,
+  Sqrt,
+  Asinh,
+  Density, ///< of photographic plates, the logarithm of light
+};
+enum class ComponentType
+{
+  Disk,
+  Spheroid,
+};
+enum class ComponentRole
+{
+  Emits,
+  Absorbs,
+};
+enum class DiskProfile
+{
+  Images,      ///< brightness from the component's layers
+  Exponential, ///< exp(-r / scale_length)
+};
+enum class ThicknessModel
+{
+  Gaussian,    ///< paper's model 1
+  Tapered,     ///< paper's model 2
+  Flared,      ///< paper's model 3
+  Hydrostatic, ///< vertical equilibrium of gas in the disc's and halo's gravity
+};
+enum class DustModel
+{
+  RingVelocity, ///< paper's dust model 1: the seed's velocity, frozen
+  DiskRotation, ///< paper's dust model 2: follows the rotation
+};
+
+/// [image.NAME]: a FITS image of the galaxy.
+struct ImageDescription
+{
+  std::string name;
+  std::string file; ///< as written; relative to the .galaxy file
+  FitsSelection selection;
+  bool suppliesCoordinates = false; ///< true where pixel_scale is given
+  SuppliedCoordinates coordinates;  ///< in place of the header's WCS
+  bool automaticBackground = false; ///< background = "Auto": sigma-clipped median of the border
+  double background = 0;            ///< subtracted, in the image's unit
+  double maskStarsAbove = std::numeric_limits<double>::infinity(); ///< see mask_stars_above
+};
+
+/// One entry of a component's `layers`: an image, how its values become intensities, its colour.
+struct LayerDescription
+{
+  std::string image;
+  Color color = { 1, 1, 1 };
+  double weight = 1;
+  bool clips = false;                    ///< false: from the image's own minimum 0 and maximum
+  std::array<double, 2> clip = { 0, 1 }; ///< values that become intensity 0 and 1
+  double threshold = 0;                  ///< I_t: seeds of lower intensity are culled
+  IntensityStretch stretch = IntensityStretch::Linear;
+};
+
+/// [component.thickness]: kpc and km/s throughout.
+struct ThicknessDescription
+{
+  ThicknessModel model = ThicknessModel::Gaussian;
+  LayerLaw law = LayerLaw::Gaussian; ///< vertical law of Tapered, Flared and Hydrostatic
+  double children = 1; ///< N_star at intensity 1 (Gaussian) or at R = 0; rounded stochastically
+  int maximumChildren = 1000;     ///< cap on N_star; the light is kept
+  double sigma = 0.1;             ///< sigma_xyz (Gaussian) or the in-plane sigma_xy (the others)
+  double compression = 0.5;       ///< gamma of I_s = I_p^gamma, 0 to 1 (Gaussian)
+  double scaleLength = 2.5;       ///< H_r (Tapered); stellar H_r (Hydrostatic)
+  double scaleHeight = 0.34;      ///< H_z (Tapered); stellar z0 (Hydrostatic)
+  bool taperThickness = false;    ///< sigma_z = H_z exp(-R/H_r) in place of H_z (Tapered)
+  double fwhmCentre = 0.3;        ///< F0 (Flared)
+  double fwhmEdge = 0.8;          ///< Fb at the stellar edge (Flared)
+  double edgeRadius = 10;         ///< Rb, the stellar disc's edge (Flared)
+  double flareLength = 17.4;      ///< L of the exponential part (Flared)
+  double fwhmMaximum = 4;         ///< cap (Flared)
+  double referenceVelocity = 189; ///< v_ref of (v_ref/v_rot)^beta (Flared)
+  double velocityExponent = 1;    ///< beta (Flared)
+  double gasDispersion = 8;       ///< sigma_g, km/s (Hydrostatic)
+  double stellarSurfaceDensity = 500; ///< Sigma_0, Msun/pc^2 at R = 0 (Hydrostatic)
+  double gasSurfaceDensity = 10;      ///< Sigma_g, Msun/pc^2 (Hydrostatic)
+};
+
+/// [component.dust]: the filament walk and the opacity.
+struct DustDescription
+{
+  DustModel model = DustModel::DiskRotation;
+  int steps = 60;                 ///< particles a filament
+  double stepLength = 0.03;       ///< kpc
+  double velocityDispersion = 10; ///< sigma_v in the plane, km/s
+  double verticalDispersion = 6;  ///< sigma_w, km/s
+  double scaleHeight = 0.1;       ///< h_d: rms height, kpc
+  double dampingTime = 10;        ///< 1/gamma, Myr
+};
+
+/// [component.spheroid]: kpc.
+struct SpheroidDescription
+{
+  std::array<double, 3> sigma = { 0.3, 0.3, 0.2 }; ///< along the ring's a, b, n or X, Y, Z
+  bool tilted = true;           ///< along the innermost ring's axes rather than the sky's
+  double centralBrightness = 1; ///< projected along its third axis, in units of intensity 1
+};
+
+/// [[component]]: one population of particles.
+struct ComponentDescription
+{
+  std::string name;
+  ComponentType type = ComponentType::Disk;
+  ComponentRole role = ComponentRole::Emits;
+  long long particles = 100000; ///< seeds N_p of a disk before culling; particles of a spheroid
+  DiskProfile profile = DiskProfile::Images;
+  double scaleLength = 1;                                       ///< of profile = "Exponential", kpc
+  double innerRadius = 0;                                       ///< kpc
+  double outerRadius = std::numeric_limits<double>::infinity(); ///< kpc; the last ring ends it too
+  Color color = { 1, 1, 1 };                                    ///< where no layer gives one
+  std::vector<LayerDescription> layers;
+  double smoothingLength = 0; ///< h, kpc; 0: from the mean distance between the particles
+  double size = 1;            ///< factor on h when drawn
+  double brightness = 1;      ///< factor on emission (or on opacity) when drawn
+  double opticalDepth = 1;    ///< absorbers: tau in V along the sight line at intensity 1
+  Color absorption = { 0.834, 1.0, 1.319 }; ///< RGB_A: CCM89, R_V = 3.1, bands R, V, B
+  ThicknessDescription thickness;
+  bool hasDust = false; ///< true where [component.dust] stands: a filament walk, not a thickness
+  DustDescription dust;
+  SpheroidDescription spheroid;
+};
+
+/// A whole .galaxy file.
+struct GalaxyDescription
+{
+  std::string file;
+  std::string text; ///< what it was parsed from
+  std::string name;
+  SkyPosition centre;
+  double distance = 0; ///< Mpc
+  std::string rings;   ///< file, relative to the .galaxy file; empty: the flat disc below
+  double inclination = 0;
+  double positionAngle = 0;
+  double rotationVelocity = 100; ///< km/s
+  double radius = 10;            ///< kpc
+  SpinSense spin = SpinSense::FromCode;
+  RingInterpolation interpolation = RingInterpolation::LinearAngles;
+  BeyondLastRing beyondLastRing = BeyondLastRing::Drop;
+  bool mock = false; ///< pictures made of it say so
+  std::string credit;
+  std::vector<ImageDescription> images;
+  std::vector<ComponentDescription> components;
+};
+
+/// One [[member]] of a .galaxygroup file.
+struct GroupMember
+{
+  std::string galaxy;       ///< .galaxy file, relative to the .galaxygroup file
+  double magnification = 1; ///< S_size of this member, times the group's
+};
+
+/// A whole .galaxygroup file.
+struct GroupDescription
+{
+  std::string file;
+  std::string name;
+  double magnification = 1;         ///< S_size: each galaxy about its own centre
+  double separation = 1;            ///< S_sep: the positions about the origin galaxy
+  std::vector<GroupMember> members; ///< the first is the origin, its sky frame the group's
+};
+
+/// Reads a description. An unknown key is an Error that suggests the nearest known one; a value
+/// of the wrong type or out of range names its key and line.
+GalaxyDescription readGalaxyDescription(const std::string& file);
+/// The same from text already in memory; `file` names it in messages and anchors relative paths.
+GalaxyDescription parseGalaxyDescription(const std::string& text, const std::string& file);
+GroupDescription readGroupDescription(const std::string& file);
+GroupDescription parseGroupDescription(const std::string& text, const std::string& file);
+
+/// All keys of .galaxy and .galaxygroup files as a Markdown table: section, key, type and unit,
+/// default, meaning. Made from the table that the files are read by.
+std::string describeKeys();
+
+/// `path` as seen from the folder of `file`, unchanged where absolute.
+std::string besideFile(const std::string& file, const std::string& path);
+
+/// The whole text of a file; throws Error where it cannot be read.
+std::string readText(const std::string& file);
+
+/// The rings of a described galaxy: its ring file, or one flat disc.
+RingTable readRings(const GalaxyDescription& galaxy);
+} // namespace galaxy
+
+#endif

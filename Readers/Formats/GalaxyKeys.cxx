@@ -1,0 +1,221 @@
+#include "Readers/Formats/GalaxyKeys.h"
+
+#include <climits>
+#include <cmath>
+
+namespace galaxy
+{
+namespace
+{
+double wrapped(double degrees)
+{
+  const double turn = std::fmod(degrees, 360.0);
+  return turn < 0 ? turn + 360 : turn;
+}
+
+/// A right ascension; negative ones and those beyond a turn are folded into [0, 360).
+template <class T, class Access>
+Key<T> rightAscensionKey(Access access, const char* meaning)
+{
+  const Range range = Range::from(-360, 720);
+  Key<T> key = numberKey<T>("ra", access, range, "degrees", meaning);
+  key.set = [=](const KeyValue& value, T& out) {
+    std::invoke(access, out) = wrapped(value.number(range));
+  };
+  return key;
+}
+
+template <class T, class Access>
+Key<T> declinationKey(Access access, const char* meaning)
+{
+  return numberKey<T>("dec", access, Range::from(-90, 90), "degrees", meaning);
+}
+
+void readBackground(const KeyValue& value, ImageDescription& out)
+{
+  out.automaticBackground = value.node.is_string();
+  if (out.automaticBackground)
+  {
+    value.choice({ "Auto" });
+    return;
+  }
+  out.background = value.number(Range::any());
+}
+
+void readReferencePixel(const KeyValue& value, ImageDescription& out)
+{
+  const std::vector<double> pixel = value.numbers(2, Range::any());
+  out.coordinates.pixel = { pixel[0], pixel[1] };
+}
+
+void readPixelScale(const KeyValue& value, ImageDescription& out)
+{
+  out.suppliesCoordinates = true;
+  out.coordinates.pixelScale = value.number(Range::positive());
+}
+
+/// Coordinates are supplied as a whole or not at all.
+void checkCoordinates(const std::string& file, const std::string& section, const toml::table& table)
+{
+  const bool supplied = table.contains("pixel_scale");
+  for (const char* key : { "ra", "dec", "position_angle", "mirrored", "reference_pixel" })
+  {
+    if (!supplied && table.contains(key))
+    {
+      KeyValue(file, key, *table.get(key))
+        .fail("needs pixel_scale: coordinates are supplied as a whole or not at all");
+    }
+  }
+  for (const char* key : { "ra", "dec" })
+  {
+    if (supplied && !table.contains(key))
+    {
+      failAtMissingKey(file, section, table, key);
+    }
+  }
+}
+
+void readImages(const KeyValue& value, GalaxyDescription& out)
+{
+  for (const auto& [name, node] : inTextOrder(value.table()))
+  {
+    const std::string section = "[image." + name + "]";
+    const toml::table& table = KeyValue(value.file, "image." + name, *node).table();
+    ImageDescription& image = out.images.emplace_back();
+    image.name = name;
+    readTable(value.file, section, table, imageKeys(), image);
+    checkCoordinates(value.file, section, table);
+  }
+}
+
+void readGalaxy(const KeyValue& value, GalaxyDescription& out)
+{
+  const toml::table& table = value.table();
+  readTable(value.file, "[galaxy]", table, galaxyKeys(), out);
+  for (const char* key : { "inclination", "position_angle", "rotation_velocity", "radius" })
+  {
+    if (!out.rings.empty() && table.contains(key))
+    {
+      KeyValue(value.file, key, *table.get(key)).fail("contradicts rings: give one or the other");
+    }
+  }
+}
+
+void readComponents(const KeyValue& value, GalaxyDescription& out)
+{
+  constexpr std::size_t most = 255; // a particle keeps its component's index in a byte
+  for (const toml::table* table : value.tables())
+  {
+    if (out.components.size() == most)
+    {
+      KeyValue(value.file, "component", *table).fail("more than 255 components");
+    }
+    const ComponentDescription component = readComponent(value.file, *table);
+    for (const ComponentDescription& other : out.components)
+    {
+      if (other.name == component.name)
+      {
+        KeyValue(value.file, "name", *table->get("name"))
+          .fail("there is another component '" + component.name + "'");
+      }
+    }
+    out.components.push_back(component);
+  }
+}
+} // namespace
+
+const Keys<GalaxyDescription>& fileKeys()
+{
+  static const Keys<GalaxyDescription> keys = {
+    required(sectionKey<GalaxyDescription>("galaxy", readGalaxy)),
+    sectionKey<GalaxyDescription>("image", readImages),
+    sectionKey<GalaxyDescription>("component", readComponents),
+  };
+  return keys;
+}
+
+const Keys<GalaxyDescription>& galaxyKeys()
+{
+  using G = GalaxyDescription;
+  static const Keys<G> keys = {
+    withDefault(textKey<G>("name", &G::name, "The galaxy's name."), "the file's name"),
+    required(rightAscensionKey<G>(
+      [](G& g) -> double& { return g.centre.ra; }, "Right ascension of the centre, ICRS.")),
+    required(declinationKey<G>(
+      [](G& g) -> double& { return g.centre.dec; }, "Declination of the centre, ICRS.")),
+    required(numberKey<G>("distance", &G::distance, Range::positive(), "Mpc", "Distance.")),
+    withDefault(textKey<G>("rings", &G::rings, "File of tilted rings, relative to this one."),
+      "one flat disc, from the four keys below"),
+    numberKey<G>("inclination", &G::inclination, Range::from(-180, 180), "degrees",
+      "Inclination of the flat disc; 0 is face-on."),
+    numberKey<G>("position_angle", &G::positionAngle, Range::any(), "degrees",
+      "Of the flat disc's receding major axis, North through East."),
+    numberKey<G>("rotation_velocity", &G::rotationVelocity, Range::any(), "km/s",
+      "Rotation velocity of the flat disc."),
+    numberKey<G>("radius", &G::radius, Range::positive(), "kpc", "Radius of the flat disc."),
+    choiceKey<G>("spin", &G::spin, { "FromCode", "Clockwise", "CounterClockwise" },
+      "Sense of rotation on the sky; FromCode is what the rings' program means."),
+    choiceKey<G>("interpolation", &G::interpolation, { "LinearAngles", "Slerp" },
+      "Between rings: angles linear in radius, or normals along great circles."),
+    choiceKey<G>("beyond_last_ring", &G::beyondLastRing, { "Drop", "HoldLast" },
+      "What happens beyond the last ring: nothing there, or its plane goes on."),
+    flagKey<G>("mock", &G::mock, "Whether the data are made up; pictures then say so."),
+    textKey<G>("credit", &G::credit, "Whose data these are."),
+  };
+  return keys;
+}
+
+const Keys<ImageDescription>& imageKeys()
+{
+  using I = ImageDescription;
+  static const Keys<I> keys = {
+    required(textKey<I>("file", &I::file, "FITS file, relative to this one.")),
+    withDefault(integerKey<I>(
+                  "hdu", [](I& i) -> int& { return i.selection.hdu; }, 0, INT_MAX - 1,
+                  "Header and data unit; 0 is the primary."),
+      "the first with an image"),
+    withDefault(textKey<I>(
+                  "extension", [](I& i) -> std::string& { return i.selection.extension; },
+                  "EXTNAME of the header and data unit, in place of `hdu`."),
+      "none"),
+    integerKey<I>(
+      "plane", [](I& i) -> int& { return i.selection.plane; }, 0, INT_MAX,
+      "Plane of a cube, from 0."),
+    withDefault(rightAscensionKey<I>([](I& i) -> double& { return i.coordinates.centre.ra; },
+                  "Right ascension of the reference pixel, with pixel_scale."),
+      "the header's"),
+    withDefault(declinationKey<I>([](I& i) -> double& { return i.coordinates.centre.dec; },
+                  "Declination of the reference pixel, with pixel_scale."),
+      "the header's"),
+    { "pixel_scale", "number greater than 0, arcsec a pixel", "the header's",
+      "Pixel size of a tangent projection that replaces the header's coordinates.",
+      readPixelScale },
+    numberKey<I>(
+      "position_angle", [](I& i) -> double& { return i.coordinates.positionAngle; }, Range::any(),
+      "degrees", "Of the image's upward axis, North through East, with pixel_scale."),
+    flagKey<I>(
+      "mirrored", [](I& i) -> bool& { return i.coordinates.mirrored; },
+      "Whether East is to the right of North, with pixel_scale."),
+    { "reference_pixel", "2 numbers, pixels from 1", "the image's middle",
+      "The pixel at ra and dec, with pixel_scale.", readReferencePixel },
+    { "background", "number in the image's unit, or \"Auto\"", "0",
+      "Subtracted; Auto is the sigma-clipped median of the border.", readBackground },
+    withDefault(numberKey<I>("mask_stars_above", &I::maskStarsAbove, Range::positive(), "",
+                  "Foreground stars that stand out by more than this are replaced by their "
+                  "surroundings."),
+      "no masking"),
+  };
+  return keys;
+}
+
+std::string describeKeys()
+{
+  return "| section | key | type and unit | default | meaning |\n|---|---|---|---|---|\n" +
+    describeSection("[galaxy]", galaxyKeys()) + describeSection("[image.NAME]", imageKeys()) +
+    describeSection("[[component]]", componentKeys()) + describeSection("layers", layerKeys()) +
+    describeSection("[component.thickness]", thicknessKeys()) +
+    describeSection("[component.dust]", dustKeys()) +
+    describeSection("[component.spheroid]", spheroidKeys()) +
+    describeSection("[group]", groupKeys()) + describeSection("[[member]]", memberKeys());
+}
+} // namespace galaxy

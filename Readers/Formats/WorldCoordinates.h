@@ -1,0 +1,60 @@
+#ifndef galaxy_WorldCoordinates_h
+#define galaxy_WorldCoordinates_h
+
+#include <memory>
+#include <string>
+
+namespace galaxy
+{
+/// ICRS right ascension and declination in degrees.
+struct SkyPosition
+{
+  double ra = 0;
+  double dec = 0;
+};
+
+/// Pixel coordinates as FITS counts them: the centre of the first pixel is (1, 1).
+struct PixelPosition
+{
+  double x = 0;
+  double y = 0;
+};
+
+/// A plain tangent projection for images whose header has no celestial coordinates.
+struct SuppliedCoordinates
+{
+  SkyPosition centre;       ///< sky position of the reference pixel, degrees
+  PixelPosition pixel;      ///< reference pixel; (0, 0) means the image's middle
+  double pixelScale = 0;    ///< arcsec per pixel; 0 means "use the header"
+  double positionAngle = 0; ///< of the image's +y axis, North through East, degrees
+  bool mirrored = false;    ///< true where East is to the right of North
+};
+
+/// The celestial world coordinates of an image: pixel to sky and back through WCSLIB, for any
+/// projection it knows, brought to ICRS from FK5, FK4, Galactic and ecliptic axes. An equinox of
+/// 1950 without RADESYS is FK4, as the FITS standard has it; an EPOCH that is the date of a
+/// photographic plate rather than an equinox is passed over, and the header read as J2000.
+class WorldCoordinates
+{
+public:
+  /// From header cards (Image::cards) and the image size.
+  /// Throws Error where the two image axes are not celestial or WCSLIB rejects them; the further
+  /// axes of a cube are left out.
+  WorldCoordinates(const std::string& file, const std::string& cards, int width, int height);
+  /// From a supplied tangent projection; throws Error where its pixel scale is not positive.
+  WorldCoordinates(const SuppliedCoordinates& supplied, int width, int height);
+  ~WorldCoordinates();
+  WorldCoordinates(WorldCoordinates&&) noexcept;
+  WorldCoordinates& operator=(WorldCoordinates&&) noexcept;
+
+  /// Each returns false where the projection has no such point. Not thread-safe on one object.
+  bool pixelToSky(const PixelPosition& pixel, SkyPosition& sky) const;
+  bool skyToPixel(const SkyPosition& sky, PixelPosition& pixel) const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state;
+};
+} // namespace galaxy
+
+#endif

@@ -1,0 +1,76 @@
+#include "vtkFITSImageReader.h"
+
+#include "Readers/DataObjects.h"
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/FitsFile.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkFITSImageReader);
+
+vtkFITSImageReader::vtkFITSImageReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkFITSImageReader::~vtkFITSImageReader() = default;
+
+bool vtkFITSImageReader::ReadIfModified()
+{
+  if (this->ImageTime > this->GetMTime())
+  {
+    return this->Image != nullptr;
+  }
+  this->Image.reset();
+  this->ImageTime.Modified();
+  try
+  {
+    galaxy::FitsSelection selection;
+    selection.hdu = this->HDU;
+    selection.extension = this->Extension;
+    selection.plane = this->Plane;
+    this->Image = std::make_unique<galaxy::Image>(galaxy::readFitsImage(this->FileName, selection));
+  }
+  catch (const galaxy::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+  return this->Image != nullptr;
+}
+
+int vtkFITSImageReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // A file that cannot be read has been reported; its image is empty.
+  const bool read = this->ReadIfModified();
+  const int extent[6] = { 0, read ? this->Image->width - 1 : -1, 0,
+    read ? this->Image->height - 1 : -1, 0, read ? 0 : -1 };
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 1);
+  return 1;
+}
+
+int vtkFITSImageReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->ReadIfModified())
+  {
+    return 0;
+  }
+  galaxy::toImageData(*this->Image, vtkImageData::GetData(outputVector, 0));
+  return 1;
+}
+
+void vtkFITSImageReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "HDU: " << this->HDU << "\n";
+  os << indent << "Extension: " << this->Extension << "\n";
+  os << indent << "Plane: " << this->Plane << "\n";
+}

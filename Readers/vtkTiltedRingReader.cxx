@@ -1,0 +1,42 @@
+#include "vtkTiltedRingReader.h"
+
+#include "Readers/DataObjects.h"
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/RingPlane.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkTiltedRingReader);
+
+vtkTiltedRingReader::vtkTiltedRingReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+int vtkTiltedRingReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  try
+  {
+    const galaxy::RingTable table = galaxy::readRingTable(this->FileName);
+    const double unit = this->Distance > 0 ? galaxy::kpcPerArcsec(this->Distance) : 1;
+    const auto sense = static_cast<galaxy::SpinSense>(this->SpinSense);
+    galaxy::toPolyData(
+      table, unit, galaxy::spinOf(table.code, sense), vtkPolyData::GetData(outputVector, 0));
+  }
+  catch (const galaxy::Error& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkTiltedRingReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+  os << indent << "SpinSense: " << this->SpinSense << "\n";
+}

@@ -1,0 +1,90 @@
+/**
+ * @class   vtkSplatProp
+ * @brief   draws the splat engine's picture of particles into a view
+ *
+ * The picture is computed on the CPU for the renderer's camera, then laid over what the renderer
+ * has drawn: first the destination times the transmittance, then plus the tone-mapped radiance,
+ * each per channel. Drawn in the overlay stage, so that it neither enters nor disturbs depth
+ * peeling; opaque geometry hides the particles behind it through the depth buffer.
+ */
+#ifndef vtkSplatProp_h
+#define vtkSplatProp_h
+
+#include "vtkGalaxyReconstructionModule.h" // for export macro
+#include "vtkProp.h"
+#include "vtkSmartPointer.h" // for the settings
+
+#include <memory> // for the picture kept between renderings
+#include <string> // for the statistics
+
+class vtkPolyData;
+class vtkSplatSettings;
+
+class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatProp : public vtkProp
+{
+public:
+  static vtkSplatProp* New();
+  vtkTypeMacro(vtkSplatProp, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The particles, arrays as vtkSplatImage takes them; null draws nothing.
+  void SetParticles(vtkPolyData* particles);
+
+  /// What the picture depends on besides particles and camera.
+  vtkSplatSettings* GetSettings();
+
+  ///@{
+  /// Factor on the radiance before it is stretched. Default 1.
+  vtkSetMacro(Exposure, double);
+  vtkGetMacro(Exposure, double);
+  ///@}
+  ///@{
+  /// Softening Q of the asinh stretch; 0 is linear. Default 10.
+  vtkSetMacro(Stretch, double);
+  vtkGetMacro(Stretch, double);
+  ///@}
+  ///@{
+  /// Displayed value is the stretched value to the power 1/Gamma. Default 1.
+  vtkSetMacro(Gamma, double);
+  vtkGetMacro(Gamma, double);
+  ///@}
+
+  ///@{
+  /// What the last picture called for and what it cost.
+  const char* GetActiveEffects() { return this->ActiveEffects.c_str(); }
+  const char* GetRenderStatistics() { return this->RenderStatistics.c_str(); }
+  ///@}
+
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkSplatProp();
+  ~vtkSplatProp() override;
+
+private:
+  vtkSplatProp(const vtkSplatProp&) = delete;
+  void operator=(const vtkSplatProp&) = delete;
+
+  /// When the particles or the settings changed last.
+  vtkMTimeType InputTime();
+
+  vtkSmartPointer<vtkPolyData> Particles;
+  vtkTimeStamp ParticlesTime;
+  vtkSmartPointer<vtkSplatSettings> Settings;
+  double Exposure = 1;
+  double Stretch = 10;
+  double Gamma = 1;
+  double Bounds[6];
+  vtkMTimeType BoundsTime = 0;
+  std::string ActiveEffects;
+  std::string RenderStatistics;
+
+  struct Picture; // what was computed last and for which camera
+  struct Canvas;  // what OpenGL holds of it
+  std::unique_ptr<Picture> LastPicture;
+  std::unique_ptr<Canvas> GLCanvas;
+};
+
+#endif

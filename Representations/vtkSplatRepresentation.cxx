@@ -1,0 +1,96 @@
+#include "vtkSplatRepresentation.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkSplatRepresentation);
+
+vtkSplatRepresentation::vtkSplatRepresentation()
+  : Prop(vtkSmartPointer<vtkSplatProp>::New())
+  , Settings(this->Prop->GetSettings())
+  , Particles(vtkSmartPointer<vtkPolyData>::New())
+{
+}
+
+vtkSplatRepresentation::~vtkSplatRepresentation() = default;
+
+int vtkSplatRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkSplatRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Particles = vtkSmartPointer<vtkPolyData>::New();
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    if (vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0))
+    {
+      this->Particles->ShallowCopy(input);
+    }
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+int vtkSplatRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Particles);
+    double bounds[6];
+    this->Particles->GetBounds(bounds);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->Prop->SetParticles(vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this)));
+  }
+  return 1;
+}
+
+bool vtkSplatRepresentation::AddToView(vtkView* view)
+{
+  vtkPVRenderView* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddViewProp(this->Prop);
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkSplatRepresentation::RemoveFromView(vtkView* view)
+{
+  vtkPVRenderView* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->RemoveViewProp(this->Prop);
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkSplatRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->Prop->SetVisibility(visible);
+}
+
+void vtkSplatRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Prop->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,56 @@
+/**
+ * @class   vtkSplatRepresentation
+ * @brief   the representation "Splats": particles as emitting and absorbing kernels
+ *
+ * Delivers the particles to where the view renders and forwards everything else to vtkSplatProp.
+ */
+#ifndef vtkSplatRepresentation_h
+#define vtkSplatRepresentation_h
+
+#include "vtkGalaxyReconstructionModule.h" // for export macro
+#include "vtkPVDataRepresentation.h"
+#include "vtkSmartPointer.h"  // for the prop
+#include "vtkSplatProp.h"     // for inline forwarding
+#include "vtkSplatSettings.h" // for the forwarding macro
+
+class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkSplatRepresentation* New();
+  vtkTypeMacro(vtkSplatRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+
+  ///@{
+  /// Forwarded to vtkSplatProp.
+  void SetExposure(double exposure) { this->Prop->SetExposure(exposure); }
+  void SetStretch(double stretch) { this->Prop->SetStretch(stretch); }
+  void SetGamma(double gamma) { this->Prop->SetGamma(gamma); }
+  const char* GetActiveEffects() { return this->Prop->GetActiveEffects(); }
+  const char* GetRenderStatistics() { return this->Prop->GetRenderStatistics(); }
+  vtkForwardSplatSettingsMacro;
+  ///@}
+
+protected:
+  vtkSplatRepresentation();
+  ~vtkSplatRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkSplatRepresentation(const vtkSplatRepresentation&) = delete;
+  void operator=(const vtkSplatRepresentation&) = delete;
+
+  vtkSmartPointer<vtkSplatProp> Prop;
+  vtkSplatSettings* Settings;
+  vtkSmartPointer<vtkPolyData> Particles;
+};
+
+#endif

@@ -1,0 +1,110 @@
+#ifndef galaxy_ModelFixtures_h
+#define galaxy_ModelFixtures_h
+
+#include "Filters/Model/Particles.h"
+#include "Readers/Formats/GalaxyDescription.h"
+#include "Readers/Formats/Image.h"
+#include "Readers/Formats/RingTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace galaxy
+{
+constexpr double pi = 3.14159265358979323846;
+constexpr double degree = pi / 180;
+/// M83's distance (Mpc), and kpc per arcsec there.
+constexpr double m83Distance = 4.90;
+constexpr double m83Kpc = 1000 * m83Distance * degree / 3600;
+
+inline Ring ring(double radius, double velocity, double height, double inclination, double angle)
+{
+  Ring made;
+  made.radius = radius;
+  made.rotationVelocity = velocity;
+  made.scaleHeight = height;
+  made.inclination = inclination;
+  made.positionAngle = angle;
+  return made;
+}
+
+/// The rings of M83 printed in the paper, without the last, which lies far outside.
+inline RingTable m83Rings()
+{
+  RingTable table;
+  table.file = "m83.txt";
+  table.rings = { ring(0, 150, 29.9, 23.7, 227), ring(172, 196, 29.9, 23.7, 227),
+    ring(343, 200, 29.9, 24.7, 226), ring(515, 195, 29.9, 34.2, 219),
+    ring(686, 192, 29.9, 44.8, 209), ring(858, 190, 29.9, 50.6, 201),
+    ring(1030, 189, 29.9, 51.0, 196), ring(1200, 189, 29.9, 50.8, 192),
+    ring(1370, 189, 29.9, 50.1, 188), ring(1540, 189, 29.9, 48.9, 188),
+    ring(1720, 190, 29.9, 43.3, 188), ring(1890, 189, 29.9, 36.9, 182),
+    ring(2060, 189, 29.9, 30.6, 174), ring(2230, 189, 29.9, 24.9, 165) };
+  return table;
+}
+
+/// A flat disc of the given radius (kpc) at M83's distance.
+inline RingTable flatDisk(double radius, double inclination = 0, double angle = 0)
+{
+  RingTable table;
+  table.file = "flat.txt";
+  table.rings = { ring(radius / m83Kpc, 200, 10, inclination, angle) };
+  return table;
+}
+
+constexpr SkyPosition m83Centre = { 204.2504, -29.8678 };
+
+/// A square tangent image about M83 whose pixels hold f(X, Y) of their centres (kpc).
+inline Image skyPicture(int size, const std::function<double(double, double)>& f, double pixel)
+{
+  Image image;
+  image.file = "picture.fits";
+  image.width = image.height = size;
+  for (int row = 0; row < size; ++row)
+  {
+    for (int column = 0; column < size; ++column)
+    {
+      const double toKpc = pixel * m83Kpc;
+      image.values.push_back(
+        f((column - (size - 1) / 2.0) * toKpc, (row - (size - 1) / 2.0) * toKpc));
+    }
+  }
+  return image;
+}
+
+/// The description of such an image of `pixel` arcsec.
+inline ImageDescription pictureDescription(const std::string& name, double pixel)
+{
+  ImageDescription description;
+  description.name = name;
+  description.suppliesCoordinates = true;
+  description.coordinates.centre = m83Centre;
+  description.coordinates.pixelScale = pixel;
+  return description;
+}
+
+/// The largest distance between the sample's distribution and `cdf`, times sqrt N: above 1.95 in
+/// one of 1000 samples (Kolmogorov).
+inline double kolmogorov(std::vector<double> sample, const std::function<double(double)>& cdf)
+{
+  std::sort(sample.begin(), sample.end());
+  double largest = 0;
+  const double n = static_cast<double>(sample.size());
+  for (std::size_t i = 0; i < sample.size(); ++i)
+  {
+    const double expected = cdf(sample[i]);
+    largest = std::max({ largest, std::abs(expected - i / n), std::abs(expected - (i + 1) / n) });
+  }
+  return largest * std::sqrt(n);
+}
+
+template <typename T>
+bool equalBits(const Buffer<T>& p, const Buffer<T>& q)
+{
+  return p.size() == q.size() && std::equal(p.begin(), p.end(), q.begin());
+}
+} // namespace galaxy
+
+#endif

@@ -1,0 +1,92 @@
+"""What the plugin's tests share."""
+import os
+import sys
+import tempfile
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkCommand, vtkFileOutputWindow, vtkOutputWindow, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+M83 = os.path.join(ROOT, "Examples", "M83", "m83.galaxy")
+SKIP = 77
+
+
+def load_plugin():
+    simple.LoadPlugin(os.environ["GALAXY_PLUGIN"], ns=vars(simple))
+
+
+def output_folder():
+    folder = os.environ.get("GALAXY_TEST_OUTPUT") or tempfile.mkdtemp()
+    os.makedirs(folder, exist_ok=True)
+    return folder
+
+
+def skip(why):
+    print("SKIPPED: " + why)
+    sys.exit(SKIP)
+
+
+def array(proxy, name, association="point"):
+    """A data array of a proxy's output, fetched to here, as numpy."""
+    data = servermanager.Fetch(proxy)
+    attributes = {
+        "point": data.GetPointData,
+        "cell": data.GetCellData,
+        "field": data.GetFieldData,
+    }[association]()
+    return vtk_to_numpy(attributes.GetArray(name))
+
+
+def particles(position, smoothing_length, **arrays):
+    """A TrivialProducer proxy of particles given as numpy arrays."""
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(position, dtype=np.float32), deep=True))
+    data.SetPoints(points)
+    arrays["SmoothingLength"] = np.asarray(smoothing_length, dtype=np.float32)
+    for name, values in arrays.items():
+        values = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        values.SetName(name)
+        data.GetPointData().AddArray(values)
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    return producer
+
+
+class Messages:
+    """Collects what VTK says while it is active, in place of printing it."""
+
+    def __enter__(self):
+        self.path = os.path.join(output_folder(), f"messages-{os.getpid()}.txt")
+        self.previous = vtkOutputWindow.GetInstance()
+        window = vtkFileOutputWindow()
+        window.SetFileName(self.path)
+        window.SetFlush(True)
+        vtkOutputWindow.SetInstance(window)
+        return self
+
+    def __exit__(self, *_):
+        vtkOutputWindow.SetInstance(self.previous)
+        self.text = ""
+        if os.path.exists(self.path):
+            with open(self.path, encoding="utf-8", errors="replace") as file:
+                self.text = file.read()
+            os.remove(self.path)
+
+
+def splat(source, size=64, **camera):
+    """Radiance and transmittance (rows from the bottom up) of a SplatImage of `source`."""
+    picture = simple.SplatImage(Input=source, ImageSize=[size, size], **camera)
+    picture.UpdatePipeline()
+    data = servermanager.Fetch(picture).GetPointData()
+    result = tuple(
+        vtk_to_numpy(data.GetArray(name)).reshape(size, size, 3).copy()
+        for name in ("Radiance", "Transmittance")
+    )
+    picture.UpdatePropertyInformation()
+    splat.effects = str(picture.ActiveEffects)
+    simple.Delete(picture)
+    return result

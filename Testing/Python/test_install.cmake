@@ -1,0 +1,32 @@
+# Installs into a staging folder and follows the way ParaView takes from its executable to the
+# plugin: paraview.conf, the list of plugins it names, the plugin's own folder.
+file(REMOVE_RECURSE "${STAGE}")
+foreach (time IN ITEMS first second) # a second installation must change nothing
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env "DESTDIR=${STAGE}"
+    ${CMAKE_COMMAND} --install "${BUILD}" RESULT_VARIABLE result OUTPUT_QUIET)
+  if (result)
+    message(FATAL_ERROR "installation failed")
+  endif ()
+endforeach ()
+
+file(GLOB_RECURSE conf "${STAGE}/*/paraview.conf")
+list(LENGTH conf count)
+if (NOT count EQUAL 1)
+  message(FATAL_ERROR "expected one paraview.conf, found: ${conf}")
+endif ()
+get_filename_component(bin "${conf}" DIRECTORY)
+file(STRINGS "${conf}" lines)
+list(FILTER lines INCLUDE REGEX "galaxyreconstruction")
+list(LENGTH lines count)
+if (NOT count EQUAL 1)
+  message(FATAL_ERROR "paraview.conf must name the plugin's list once: ${lines}")
+endif ()
+get_filename_component(list_file "${bin}/${lines}" ABSOLUTE)
+file(READ "${list_file}" list_text)
+if (NOT list_text MATCHES "Plugin name=\"GalaxyReconstruction\"")
+  message(FATAL_ERROR "${list_file} does not name the plugin")
+endif ()
+get_filename_component(folder "${list_file}" DIRECTORY)
+if (NOT EXISTS "${folder}/GalaxyReconstruction/GalaxyReconstruction.so")
+  message(FATAL_ERROR "the plugin is not where ParaView looks: ${folder}")
+endif ()

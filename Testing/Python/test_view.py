@@ -1,0 +1,160 @@
+"""The representation Splats in a render view, beside other things. Needs a display."""
+import os
+import unittest
+
+import numpy as np
+from paraview import simple
+from PIL import Image
+
+import galaxy_testing as gt
+
+gt.load_plugin()
+SIZE = 240
+H = 0.9
+G0 = 1 / (np.pi * (H / 3) ** 2 * (1 - np.exp(-9)))
+
+
+class View(unittest.TestCase):
+    def setUp(self):
+        self.view = simple.CreateView("RenderView")
+        self.addCleanup(simple.Delete, self.view)
+        self.view.ViewSize = [SIZE, SIZE]
+        self.view.OrientationAxesVisibility = 0
+        self.view.UseColorPaletteForBackground = 0
+        self.view.Background = [0.0, 0.0, 0.0]
+        self.view.CameraParallelProjection = 1
+        self.view.CameraParallelScale = 2.0
+        self.view.CameraPosition = [0, 0, 5]
+        self.view.CameraFocalPoint = [0, 0, 0]
+        self.view.CameraViewUp = [0, 1, 0]
+
+    def shot(self, size=SIZE):
+        path = os.path.join(gt.output_folder(), f"view-{os.getpid()}.png")
+        simple.SaveScreenshot(path, self.view, ImageResolution=[size, size])
+        with Image.open(path) as image:
+            return np.asarray(image.convert("RGB"), dtype=float) / 255
+
+    def show(self, source, **properties):
+        display = simple.Show(source, self.view)
+        display.Representation = "Splats"
+        display.Stretch = 0
+        display.Exposure = 1 / G0
+        for name, value in properties.items():
+            setattr(display, name, value)
+        return display
+
+    def keep_camera(self):
+        self.view.CameraParallelScale = 2.0
+        self.view.CameraPosition = [0, 0, 5]
+        self.view.CameraFocalPoint = [0, 0, 0]
+
+    def emitter(self, position=(0, 0, 0), color=(1, 1, 1)):
+        return gt.particles([position], [H], Emission=np.array([color], dtype=np.float32))
+
+    def absorber(self, optical_depth, position=(0, 0, 0)):
+        absorption = np.array([optical_depth], dtype=np.float32) / G0
+        return gt.particles([position], [H], Absorption=absorption)
+
+    def test_pixel_equals_splat_image(self):
+        source = self.emitter((0.3, -0.2, 0), (0.9, 0.6, 0.3))
+        self.show(source)
+        self.keep_camera()
+        radiance, _ = gt.splat(
+            source, SIZE, CameraParallelProjection=1, CameraParallelScale=2.0,
+            CameraPosition=[0, 0, 5],
+        )
+        np.testing.assert_allclose(self.shot(), radiance[::-1] / G0, atol=1.01 / 255)
+
+    def test_absorption_by_channel_over_the_background(self):
+        self.view.Background = [1.0, 1.0, 1.0]
+        self.show(self.absorber((0.5, 1.0, 2.0)))
+        self.keep_camera()
+        middle = self.shot()[SIZE // 2, SIZE // 2]
+        np.testing.assert_allclose(middle, np.exp([-0.5, -1.0, -2.0]), atol=0.012)
+
+    def scene(self, z_sphere):
+        """An emitter at the origin and an opaque ball before or behind it."""
+        self.show(self.emitter(color=(1, 0, 0)))
+        ball = simple.Sphere(Center=[0, 0, z_sphere], Radius=0.3, ThetaResolution=64,
+                             PhiResolution=64)
+        display = simple.Show(ball, self.view)
+        display.DiffuseColor = [0, 0, 1]
+        display.Ambient, display.Diffuse, display.AmbientColor = 1.0, 0.0, [0, 0, 1]
+        self.keep_camera()
+        return ball
+
+    def test_opaque_geometry_hides_what_is_behind_it(self):
+        for peeling in (0, 1):
+            self.view.DepthPeeling = peeling
+            ball = self.scene(1.0)
+            middle = self.shot()[SIZE // 2, SIZE // 2]
+            self.assertLess(middle[0], 0.05)
+            ball.Center = [0, 0, -1.0]
+            middle = self.shot()[SIZE // 2, SIZE // 2]
+            self.assertGreater(middle[0], 0.9)
+            simple.Hide(ball, self.view)
+
+    def test_beside_translucent_geometry_and_lines(self):
+        for peeling in (1, 0):
+            self.view.DepthPeeling = peeling
+            self.beside_translucent_geometry_and_lines()
+
+    def beside_translucent_geometry_and_lines(self):
+        self.show(self.emitter(color=(1, 0, 0)))
+        box = simple.Box(XLength=1, YLength=1, ZLength=0.1, Center=[1.0, 0, 0])
+        display = simple.Show(box, self.view)
+        display.Opacity = 0.5
+        display.AmbientColor = display.DiffuseColor = [0, 1, 0]
+        display.Ambient, display.Diffuse = 1.0, 0.0
+        line = simple.Line(Point1=[-1.5, 1.5, 0], Point2=[1.5, 1.5, 0])
+        lines = simple.Show(line, self.view)
+        lines.LineWidth = 5
+        lines.AmbientColor = lines.DiffuseColor = [1, 1, 0]
+        self.keep_camera()
+        picture = self.shot()
+        self.assertGreater(picture[SIZE // 2, SIZE // 2, 0], 0.9)  # the particle
+        at = int((1.3 + 2) / 4 * SIZE)
+        # Two faces of the box, each covering half.
+        np.testing.assert_allclose(picture[SIZE // 2, at, 1], 0.75, atol=0.03)
+        row = int((2 - 1.5) / 4 * SIZE)
+        self.assertGreater(picture[row - 2 : row + 3, SIZE // 2, :2].max(), 0.8)  # the line
+        for shown in (box, line):
+            simple.Delete(shown)
+
+    def test_large_screenshot_equals_small_one(self):
+        self.show(gt.particles(
+            [[0.5, 0.2, 0], [-0.8, -0.5, 0.5]], [H, H / 2],
+            Emission=np.array([[1, 0.5, 0.2], [0.2, 0.2, 0.5]], dtype=np.float32),
+        ))
+        self.keep_camera()
+        small = self.shot()
+        large = self.shot(4 * SIZE)
+        averaged = large.reshape(SIZE, 4, SIZE, 4, 3).mean(axis=(1, 3))
+        self.assertLess(np.abs(averaged - small).max(), 0.03)
+
+    def test_exposure_brightness_and_visibility(self):
+        display = self.show(self.emitter(), Exposure=0.25 / G0)
+        self.keep_camera()
+        middle = (SIZE // 2, SIZE // 2)
+        np.testing.assert_allclose(self.shot()[middle], 0.25, atol=0.01)
+        display.Exposure = 0.5 / G0
+        np.testing.assert_allclose(self.shot()[middle], 0.5, atol=0.01)
+        display.Stretch = 10
+        stretched = np.arcsinh(10 * 0.5) / np.arcsinh(10)
+        np.testing.assert_allclose(self.shot()[middle], stretched, atol=0.015)
+        display.UpdatePropertyInformation()
+        self.assertIn("emission", str(display.ActiveEffects))
+        display.Visibility = 0
+        self.assertLess(self.shot().max(), 0.01)
+
+    def test_two_views_and_two_representations(self):
+        self.show(self.emitter((-0.5, 0, 0), (1, 0, 0)))
+        self.show(self.emitter((0.5, 0, 0), (0, 1, 0)))
+        self.keep_camera()
+        picture = self.shot()
+        self.assertGreater(picture[SIZE // 2, int(1.5 / 4 * SIZE), 0], 0.9)
+        self.assertGreater(picture[SIZE // 2, int(2.5 / 4 * SIZE), 1], 0.9)
+
+
+if __name__ == "__main__":
+    unittest.main()

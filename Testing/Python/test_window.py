@@ -1,0 +1,58 @@
+"""ParaView's own window: starts `paraview` with the M83 scene and photographs it."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+from PIL import Image
+
+import galaxy_testing as gt
+
+PATIENCE = 150  # seconds until the galaxy must be seen
+
+
+def photograph(path):
+    subprocess.run(["import", "-window", "root", path], check=True, timeout=60)
+    with Image.open(path) as image:
+        return np.asarray(image.convert("RGB"), dtype=float) / 255
+
+
+def galaxy_pixels(picture):
+    """How many pixels of the view are lit as a galaxy is: neither black nor the panels' grey."""
+    view = picture[250:950, 450:1250]
+    spread = view.max(axis=2) - view.min(axis=2)
+    return int(((view.max(axis=2) > 0.1) & (spread > 0.05)).sum())
+
+
+def main():
+    for tool in ("paraview", "import"):
+        if not shutil.which(tool):
+            gt.skip(f"{tool} is not installed")
+    home = tempfile.mkdtemp()
+    shot = os.path.join(gt.output_folder(), "window.png")
+    log = open(os.path.join(gt.output_folder(), "window.log"), "w", encoding="utf-8")
+    window = subprocess.Popen(
+        ["paraview", "--dr", f"--script={os.path.join(gt.ROOT, 'Examples', 'm83_window.py')}"],
+        env=dict(os.environ, HOME=home, GALAXY_PARTICLE_SCALE="0.1"), stdout=log, stderr=log,
+    )
+    try:
+        start, lit = time.time(), 0
+        while time.time() - start < PATIENCE and lit < 5000 and window.poll() is None:
+            time.sleep(3)
+            lit = galaxy_pixels(photograph(shot))
+        print(f"{lit} lit pixels after {time.time() - start:.0f} s; {shot}")
+        if window.poll() is not None:
+            sys.exit(f"paraview ended by itself with {window.returncode}; see window.log")
+        if lit < 5000:
+            sys.exit("the galaxy is not seen in the window")
+    finally:
+        window.kill()
+        window.wait()
+        shutil.rmtree(home, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    main()
