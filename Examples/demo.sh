@@ -15,7 +15,8 @@ output="${1:-$here/output}"
 echo "Building (only the first time takes minutes)"
 "$here/../Plugin/build.sh"
 GALAXY_PLUGIN=$("$here/../Plugin/build.sh" | tail -n 1)
-export GALAXY_PLUGIN
+GALAXY_EXAMPLES="$here"
+export GALAXY_PLUGIN GALAXY_EXAMPLES
 
 "$here/M83/images.sh"
 

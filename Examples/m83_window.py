@@ -1,9 +1,13 @@
-"""Opens the M83 scene in ParaView's window: paraview --script=Examples/m83_window.py"""
+"""Opens the M83 scene in ParaView's window: Examples/demo.sh --gui runs it there.
+
+By hand, from the clone: paraview --script=Examples/m83_window.py
+"""
 import os
 
 from paraview import simple
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+simple._DisableFirstRenderCameraReset()
+HERE = os.environ.get("GALAXY_EXAMPLES", os.path.abspath("Examples"))  # no __file__ in the window
 
 plugin = os.environ.get("GALAXY_PLUGIN")
 if plugin:
