@@ -10,4 +10,4 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import real_sky
 
 if __name__ == "__main__":
-    real_sky.main(__doc__, "m83", half_width=9.0, azimuth=60, stretch=2)
+    real_sky.main(__doc__, "m83", half_width=9.0, azimuth=60, stretch=0.5)

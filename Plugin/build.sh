@@ -11,7 +11,7 @@ if [ "${1:-}" = "--tests" ]; then
   testing=ON
   target="all"
 fi
-if [ ! -f "$build/CMakeCache.txt" ] || ! grep -q "^BUILD_TESTING:BOOL=$testing" "$build/CMakeCache.txt"; then
+if [ ! -f "$build/build.ninja" ] || ! grep -q "^BUILD_TESTING:BOOL=$testing" "$build/CMakeCache.txt"; then
   echo "Configuring in $build"
   cmake -S "$root" -B "$build" -G Ninja -DBUILD_TESTING="$testing" >"$build.log" 2>&1 ||
     { cat "$build.log" >&2; exit 1; }
