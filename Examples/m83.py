@@ -4,6 +4,7 @@ Usage: pvpython Examples/m83.py OUTPUT_FOLDER [PARTICLE_SCALE]
 (Examples/demo.sh makes the images, builds the plugin and runs this.)
 """
 import os
+import resource
 import sys
 import time
 
@@ -41,7 +42,10 @@ def main(output, particle_scale):
     sheet = [pictures[k] for k in (0, 3, 1, 4, 2, 5)]  # far left, close right, as in the paper
     files.append(os.path.join(output, "m83-contact-sheet.png"))
     gp.contact_sheet(sheet, 2, files[-1])
-    print(f"Done in {time.time() - start:.0f} s. Pictures:")
+    particles = model.GetDataInformation().GetNumberOfPoints() / 1e6
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024**2
+    print(f"Done in {time.time() - start:.0f} s: {particles:.1f} M particles, "
+          f"peak memory {memory:.1f} GB. Pictures:")
     for file in files:
         print("  " + file)
 

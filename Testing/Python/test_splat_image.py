@@ -67,6 +67,20 @@ class SplatImage(unittest.TestCase):
         radiance, _ = gt.splat(source, SIZE, **SIGNATURE)
         np.testing.assert_allclose(radiance[CENTRE], 2 * G * np.array([1, 0.2, 0]), rtol=3e-3)
 
+    def test_size_and_brightness_of_a_component(self):
+        reader = gt.simple.Spheroid(Sigma=[0.001] * 3, NumberOfParticles=1, SmoothingLength=H)
+        plain, _ = gt.splat(reader, SIZE, **SIGNATURE)
+        settings = {"ComponentBrightness": ["spheroid", "3"]}
+        brighter, _ = gt.splat(reader, SIZE, **SIGNATURE, **settings)
+        np.testing.assert_allclose(brighter, 3 * plain, rtol=1e-5)
+        smaller, _ = gt.splat(reader, SIZE, **SIGNATURE, ComponentSize=["spheroid", "0.7"])
+        np.testing.assert_allclose(smaller.sum(), plain.sum(), rtol=1e-3)
+        np.testing.assert_allclose(smaller.max(), plain.max() / 0.7**2, rtol=1e-2)
+        hidden, _ = gt.splat(reader, SIZE, **SIGNATURE, ComponentVisibility=["spheroid", "0"])
+        np.testing.assert_array_equal(hidden, 0)
+        other, _ = gt.splat(reader, SIZE, **SIGNATURE, ComponentBrightness=["nobody", "3"])
+        np.testing.assert_array_equal(other, plain)
+
     def test_perspective_sees_the_same_surface_brightness(self):
         source = gt.particles([[0, 0, 0]], [H], Emission=GREY)
         for distance in (20.0, 80.0):
