@@ -1,7 +1,9 @@
 #include "SeedData.h"
 
 #include "Filters/AdoptBuffer.h"
+#include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/Model/RingGeometry.h"
+#include "Filters/ParticleData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
 
@@ -123,5 +125,15 @@ SeedData toSeeds(vtkPolyData* input)
   seeds.color = copyOf<vtkUnsignedCharArray, std::uint8_t>(input, "Color", 3, file);
   seeds.index = copyOf<vtkUnsignedIntArray, std::uint32_t>(input, "Draw", 1, file);
   return data;
+}
+
+void seedsToParticles(vtkPolyData* input, int randomSeed,
+  const std::function<void(ComponentDescription&)>& change, vtkPolyData* output)
+{
+  SeedData data = toSeeds(input);
+  change(data.description());
+  BuildOptions options;
+  options.seed = static_cast<std::uint64_t>(randomSeed);
+  toPolyData(buildFromSeeds(data.galaxy, data.component, data.seeds, options), output);
 }
 }

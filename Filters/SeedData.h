@@ -4,6 +4,7 @@
 #include "Filters/Model/Seeds.h"
 #include "Readers/Formats/Galaxy.h"
 
+#include <functional>
 #include <string>
 
 class vtkPolyData;
@@ -27,6 +28,10 @@ struct SeedData
 void toPolyData(SeedData&& data, vtkPolyData* output);
 /// The inverse. Throws Error where an array is missing.
 SeedData toSeeds(vtkPolyData* input);
+
+/// The particles of the seeds in `input`, after `change` has adapted the component's description.
+void seedsToParticles(vtkPolyData* input, int randomSeed,
+  const std::function<void(ComponentDescription&)>& change, vtkPolyData* output);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "Filters/SeedData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -36,8 +37,7 @@ int vtkDiskSeeds::FillInputPortInformation(int, vtkInformation* info)
 int vtkDiskSeeds::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  try
-  {
+  return galaxy::reportErrors(this, [&] {
     galaxy::SeedData data;
     data.galaxy = galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));
     data.component = this->Component.empty() ? firstDisk(data.galaxy.description) : this->Component;
@@ -46,13 +46,7 @@ int vtkDiskSeeds::RequestData(
     options.seed = static_cast<std::uint64_t>(this->RandomSeed);
     data.seeds = galaxy::buildSeeds(data.galaxy, data.component, options);
     galaxy::toPolyData(std::move(data), vtkPolyData::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkDiskSeeds::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,9 +1,7 @@
 #include "vtkDiskThickness.h"
 
-#include "Filters/Model/GalaxyBuilder.h"
-#include "Filters/ParticleData.h"
 #include "Filters/SeedData.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -13,31 +11,23 @@ vtkStandardNewMacro(vtkDiskThickness);
 int vtkDiskThickness::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  try
-  {
-    galaxy::SeedData data = galaxy::toSeeds(vtkPolyData::GetData(inputVector[0], 0));
-    galaxy::ComponentDescription& component = data.description();
+  const auto change = [this](galaxy::ComponentDescription& component) {
     component.hasDust = false;
-    if (this->Model != FROM_DESCRIPTION)
+    if (this->Model == FROM_DESCRIPTION)
     {
-      galaxy::ThicknessDescription& thickness = component.thickness;
-      thickness.model = static_cast<galaxy::ThicknessModel>(this->Model);
-      thickness.children = this->Children;
-      thickness.sigma = this->Sigma;
-      thickness.scaleLength = this->ScaleLength;
-      thickness.scaleHeight = this->ScaleHeight;
+      return;
     }
-    galaxy::BuildOptions options;
-    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
-    galaxy::toPolyData(galaxy::buildFromSeeds(data.galaxy, data.component, data.seeds, options),
+    galaxy::ThicknessDescription& thickness = component.thickness;
+    thickness.model = static_cast<galaxy::ThicknessModel>(this->Model);
+    thickness.children = this->Children;
+    thickness.sigma = this->Sigma;
+    thickness.scaleLength = this->ScaleLength;
+    thickness.scaleHeight = this->ScaleHeight;
+  };
+  return galaxy::reportErrors(this, [&] {
+    galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed, change,
       vtkPolyData::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkDiskThickness::PrintSelf(ostream& os, vtkIndent indent)

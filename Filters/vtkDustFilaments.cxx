@@ -1,9 +1,7 @@
 #include "vtkDustFilaments.h"
 
-#include "Filters/Model/GalaxyBuilder.h"
-#include "Filters/ParticleData.h"
 #include "Filters/SeedData.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -13,33 +11,25 @@ vtkStandardNewMacro(vtkDustFilaments);
 int vtkDustFilaments::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  try
-  {
-    galaxy::SeedData data = galaxy::toSeeds(vtkPolyData::GetData(inputVector[0], 0));
-    galaxy::ComponentDescription& component = data.description();
+  const auto change = [this](galaxy::ComponentDescription& component) {
     component.role = galaxy::ComponentRole::Absorbs;
     component.hasDust = true;
-    if (this->Model != FROM_DESCRIPTION)
+    if (this->Model == FROM_DESCRIPTION)
     {
-      galaxy::DustDescription& dust = component.dust;
-      dust.model = static_cast<galaxy::DustModel>(this->Model);
-      dust.steps = this->Steps;
-      dust.stepLength = this->StepLength;
-      dust.velocityDispersion = this->VelocityDispersion;
-      dust.verticalDispersion = this->VerticalDispersion;
-      dust.scaleHeight = this->ScaleHeight;
+      return;
     }
-    galaxy::BuildOptions options;
-    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
-    galaxy::toPolyData(galaxy::buildFromSeeds(data.galaxy, data.component, data.seeds, options),
+    galaxy::DustDescription& dust = component.dust;
+    dust.model = static_cast<galaxy::DustModel>(this->Model);
+    dust.steps = this->Steps;
+    dust.stepLength = this->StepLength;
+    dust.velocityDispersion = this->VelocityDispersion;
+    dust.verticalDispersion = this->VerticalDispersion;
+    dust.scaleHeight = this->ScaleHeight;
+  };
+  return galaxy::reportErrors(this, [&] {
+    galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed, change,
       vtkPolyData::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkDustFilaments::PrintSelf(ostream& os, vtkIndent indent)

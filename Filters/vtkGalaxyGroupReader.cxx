@@ -2,7 +2,7 @@
 
 #include "Filters/Model/GroupBuilder.h"
 #include "Filters/ParticleData.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -17,8 +17,7 @@ vtkGalaxyGroupReader::vtkGalaxyGroupReader()
 int vtkGalaxyGroupReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  try
-  {
+  return galaxy::reportErrors(this, [&] {
     galaxy::GroupDescription group = galaxy::readGroupDescription(this->FileName);
     group.magnification *= this->Magnification;
     group.separation *= this->Separation;
@@ -30,13 +29,7 @@ int vtkGalaxyGroupReader::RequestData(
       return !this->GetAbortExecute();
     };
     galaxy::toPolyData(galaxy::buildGroup(group, options), vtkPolyData::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkGalaxyGroupReader::PrintSelf(ostream& os, vtkIndent indent)

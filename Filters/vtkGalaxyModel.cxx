@@ -3,7 +3,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/ParticleData.h"
 #include "Readers/DataObjects.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -39,8 +39,7 @@ int vtkGalaxyModel::FillInputPortInformation(int, vtkInformation* info)
 int vtkGalaxyModel::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  try
-  {
+  return galaxy::reportErrors(this, [&] {
     const galaxy::Galaxy input =
       galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));
     galaxy::BuildOptions options;
@@ -58,13 +57,7 @@ int vtkGalaxyModel::RequestData(
     {
       galaxy::toPolyData(std::move(particles), vtkPolyData::GetData(outputVector, 0));
     }
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkGalaxyModel::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,7 +3,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/Model/Placement.h"
 #include "Filters/ParticleData.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -37,20 +37,13 @@ int vtkSpheroidSource::RequestData(
   input.rings.rings.resize(1);
   galaxy::BuildOptions options;
   options.seed = static_cast<std::uint64_t>(this->RandomSeed);
-  try
-  {
+  return galaxy::reportErrors(this, [&] {
     galaxy::Particles particles = galaxy::buildGalaxy(input, options);
     galaxy::Placement placement;
     placement.centre = { this->Center[0], this->Center[1], this->Center[2] };
     galaxy::placeParticles(placement, particles);
     galaxy::toPolyData(std::move(particles), vtkPolyData::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkSpheroidSource::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,6 +2,7 @@
 
 #include "Filters/ParticleData.h"
 #include "Filters/Splatting/Render.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -14,6 +15,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkSplatImage);
 
@@ -78,13 +80,17 @@ int vtkSplatImage::RequestUpdateExtent(
 int vtkSplatImage::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* particles = vtkPolyData::GetData(inputVector[0], 0);
-  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  return galaxy::reportErrors(this, [&] {
+    this->Draw(vtkPolyData::GetData(inputVector[0], 0), vtkImageData::GetData(outputVector, 0));
+  });
+}
+
+void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
+{
   galaxy::ParticleInput input;
   if (!galaxy::viewParticles(particles, *this->Settings, input))
   {
-    vtkErrorMacro(<< input.problem);
-    return 0;
+    throw std::runtime_error(input.problem);
   }
   const galaxy::Camera camera = galaxy::Camera::lookAt(vector(this->CameraPosition),
     vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
@@ -97,7 +103,7 @@ int vtkSplatImage::RequestData(
   const galaxy::RenderedImage image = galaxy::renderSorted(input.view, camera, options);
   if (image.aborted)
   {
-    return 1;
+    return;
   }
   if (image.statistics.invalid > 0)
   {
@@ -110,7 +116,6 @@ int vtkSplatImage::RequestData(
   output->GetPointData()->SetActiveScalars("Radiance");
   this->ActiveEffects = image.statistics.activeEffects;
   this->RenderStatistics = galaxy::describe(image.statistics);
-  return 1;
 }
 
 void vtkSplatImage::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,6 +21,9 @@
 
 #include <string> // for the statistics
 
+class vtkImageData;
+class vtkPolyData;
+
 class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatImage : public vtkImageAlgorithm
 {
 public:
@@ -83,6 +86,8 @@ protected:
 private:
   vtkSplatImage(const vtkSplatImage&) = delete;
   void operator=(const vtkSplatImage&) = delete;
+
+  void Draw(vtkPolyData* particles, vtkImageData* output);
 
   int ImageSize[2] = { 1024, 1024 };
   double CameraPosition[3] = { 0, 0, 1 };

@@ -1,8 +1,8 @@
 #include "vtkFITSImageReader.h"
 
 #include "Readers/DataObjects.h"
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/FitsFile.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -27,18 +27,13 @@ bool vtkFITSImageReader::ReadIfModified()
   }
   this->Image.reset();
   this->ImageTime.Modified();
-  try
-  {
+  galaxy::reportErrors(this, [this] {
     galaxy::FitsSelection selection;
     selection.hdu = this->HDU;
     selection.extension = this->Extension;
     selection.plane = this->Plane;
     this->Image = std::make_unique<galaxy::Image>(galaxy::readFitsImage(this->FileName, selection));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-  }
+  });
   return this->Image != nullptr;
 }
 

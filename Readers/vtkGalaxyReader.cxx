@@ -1,7 +1,7 @@
 #include "vtkGalaxyReader.h"
 
 #include "Readers/DataObjects.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -16,17 +16,10 @@ vtkGalaxyReader::vtkGalaxyReader()
 int vtkGalaxyReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  try
-  {
+  return galaxy::reportErrors(this, [&] {
     galaxy::toCollection(galaxy::readGalaxy(this->FileName),
       vtkPartitionedDataSetCollection::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkGalaxyReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,8 +1,8 @@
 #include "vtkTiltedRingReader.h"
 
 #include "Readers/DataObjects.h"
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingPlane.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -17,20 +17,13 @@ vtkTiltedRingReader::vtkTiltedRingReader()
 int vtkTiltedRingReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  try
-  {
+  return galaxy::reportErrors(this, [&] {
     const galaxy::RingTable table = galaxy::readRingTable(this->FileName);
     const double unit = this->Distance > 0 ? galaxy::kpcPerArcsec(this->Distance) : 1;
     const auto sense = static_cast<galaxy::SpinSense>(this->SpinSense);
     galaxy::toPolyData(
       table, unit, galaxy::spinOf(table.code, sense), vtkPolyData::GetData(outputVector, 0));
-  }
-  catch (const galaxy::Error& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkTiltedRingReader::PrintSelf(ostream& os, vtkIndent indent)

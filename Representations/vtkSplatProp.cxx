@@ -3,6 +3,7 @@
 #include "Filters/ParticleData.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/ToneMap.h"
+#include "Readers/ReportErrors.h"
 #include "vtkSplatSettings.h"
 
 #include "vtkCamera.h"
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkSplatProp);
 
@@ -237,35 +239,42 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
   {
     return 0;
   }
+  return galaxy::reportErrors(this, [&] {
+    this->UpdatePicture(renderer);
+    this->DrawPicture(window);
+  });
+}
+
+void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
+{
   int size[2], origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  if (size[0] < 1 || size[1] < 1)
-  {
-    return 0;
-  }
-  const galaxy::Camera camera = cameraOf(renderer, size[0], size[1]);
+  const galaxy::Camera camera = cameraOf(renderer, std::max(size[0], 1), std::max(size[1], 1));
   std::vector<float> depth = opaqueDepth(renderer, camera, readDepthBuffer(renderer, size, origin));
   const vtkMTimeType time = this->InputTime();
-  if (!this->LastPicture || !this->LastPicture->isFor(camera, depth, time))
+  if (this->LastPicture && this->LastPicture->isFor(camera, depth, time))
   {
-    galaxy::ParticleInput input;
-    if (!galaxy::viewParticles(this->Particles, *this->Settings, input))
-    {
-      vtkErrorMacro(<< input.problem);
-      return 0;
-    }
-    auto picture = std::make_unique<Picture>();
-    galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
-    options.opaqueDepth = depth.empty() ? nullptr : depth.data();
-    picture->image = galaxy::renderSorted(input.view, camera, options);
-    picture->camera = camera;
-    picture->opaqueDepth = std::move(depth);
-    picture->inputTime = time;
-    this->ActiveEffects = picture->image.statistics.activeEffects;
-    this->RenderStatistics = galaxy::describe(picture->image.statistics);
-    this->LastPicture = std::move(picture);
+    return;
   }
+  galaxy::ParticleInput input;
+  if (!galaxy::viewParticles(this->Particles, *this->Settings, input))
+  {
+    throw std::runtime_error(input.problem);
+  }
+  auto picture = std::make_unique<Picture>();
+  galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
+  options.opaqueDepth = depth.empty() ? nullptr : depth.data();
+  picture->image = galaxy::renderSorted(input.view, camera, options);
+  picture->camera = camera;
+  picture->opaqueDepth = std::move(depth);
+  picture->inputTime = time;
+  this->ActiveEffects = picture->image.statistics.activeEffects;
+  this->RenderStatistics = galaxy::describe(picture->image.statistics);
+  this->LastPicture = std::move(picture);
+}
 
+void vtkSplatProp::DrawPicture(vtkOpenGLRenderWindow* window)
+{
   const galaxy::RenderedImage& image = this->LastPicture->image;
   std::vector<float> display(image.radiance.size());
   galaxy::applyToneMap({ this->Exposure, this->Stretch, this->Gamma }, image.radiance.data(),
@@ -287,7 +296,6 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
   this->GLCanvas->draw(window, image.transmittance.data(), image.width, image.height);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   this->GLCanvas->draw(window, display.data(), image.width, image.height);
-  return 1;
 }
 
 void vtkSplatProp::ReleaseGraphicsResources(vtkWindow* window)

@@ -17,7 +17,9 @@
 #include <memory> // for the picture kept between renderings
 #include <string> // for the statistics
 
+class vtkOpenGLRenderWindow;
 class vtkPolyData;
+class vtkRenderer;
 class vtkSplatSettings;
 
 class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatProp : public vtkProp
@@ -67,6 +69,8 @@ private:
   vtkSplatProp(const vtkSplatProp&) = delete;
   void operator=(const vtkSplatProp&) = delete;
 
+  void UpdatePicture(vtkRenderer* renderer);
+  void DrawPicture(vtkOpenGLRenderWindow* window);
   /// When the particles or the settings changed last.
   vtkMTimeType InputTime();
 

@@ -2,6 +2,7 @@
 
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Readers/Formats/RingPlane.h"
 
 #include <filesystem>
 #include <fstream>
@@ -92,14 +93,12 @@ RingTable readRings(const GalaxyDescription& galaxy)
   {
     return readRingTable(besideFile(galaxy.file, galaxy.rings));
   }
-  constexpr double arcsecPerRadian = 206264.80624709636;
-  constexpr double kpcPerMpc = 1000;
   Ring centre;
   centre.rotationVelocity = galaxy.rotationVelocity;
   centre.inclination = galaxy.inclination;
   centre.positionAngle = galaxy.positionAngle;
   Ring edge = centre;
-  edge.radius = arcsecPerRadian * galaxy.radius / (kpcPerMpc * galaxy.distance);
+  edge.radius = galaxy.radius / kpcPerArcsec(galaxy.distance);
   RingTable table;
   table.file = galaxy.file;
   table.rings = { centre, edge };

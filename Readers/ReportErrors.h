@@ -1,0 +1,33 @@
+#ifndef galaxy_ReportErrors_h
+#define galaxy_ReportErrors_h
+
+#include "vtkObject.h"
+
+#include <exception>
+#include <new>
+
+namespace galaxy
+{
+/// Does the work of a VTK request: 1 where it succeeds; where it throws, the object reports why
+/// and the request fails with 0.
+template <typename Work>
+int reportErrors(vtkObject* self, const Work& work)
+{
+  try
+  {
+    work();
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(self, << "not enough memory; a smaller ParticleScale takes less");
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(self, << error.what());
+  }
+  return 0;
+}
+}
+
+#endif
