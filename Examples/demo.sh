@@ -5,10 +5,17 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 gui=no
-if [ "${1:-}" = "--gui" ]; then
-  gui=yes
-  shift
-fi
+case "${1:-}" in
+  --gui)
+    gui=yes
+    [ -n "${DISPLAY:-}" ] || { echo "--gui needs a display; DISPLAY is not set." >&2; exit 1; }
+    shift
+    ;;
+  -*)
+    sed -n '2,4s/^# //p' "$0"
+    exit 0
+    ;;
+esac
 output="${1:-$here/output}"
 
 "$here/../Plugin/install-dependencies.sh"

@@ -3,6 +3,7 @@
 Pictures come from the filter SplatImage, which needs no display. Light stays linear until
 `tone_map`.
 """
+import glob
 import os
 import time
 
@@ -11,12 +12,15 @@ from paraview import servermanager, simple
 from PIL import Image, ImageDraw, ImageFont
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
 def load_plugin():
-    """Loads the plugin: the file named by GALAXY_PLUGIN, or the installed one by its name."""
-    path = os.environ.get("GALAXY_PLUGIN")
+    """Loads the plugin: that of GALAXY_PLUGIN, the one built by demo.sh, or the installed one."""
+    built = glob.glob(os.path.join(HERE, "..", "build", "lib", "**", "GalaxyReconstruction.so"),
+                      recursive=True)
+    path = os.environ.get("GALAXY_PLUGIN") or next(iter(built), None)
     if path:
         simple.LoadPlugin(path, ns=vars(simple))
     else:
@@ -117,7 +121,7 @@ def tone_map(radiance, exposure=1.0, stretch=8.0):
     return Image.fromarray((255 * shown + 0.5).astype(np.uint8))
 
 
-def exposure_for(radiance, percentile=99.7):
+def exposure_for(radiance, percentile=99.9):
     """The exposure at which that percentile of the lit pixels' brightest channel becomes white."""
     brightest = radiance.max(axis=2)
     lit = brightest[brightest > 0]

@@ -1,5 +1,6 @@
 """What the real galaxies' examples share: a .galaxy of RealSky/ with the data folder put in."""
 import os
+import re
 import sys
 
 import galaxy_pictures as gp
@@ -13,6 +14,9 @@ def described(name, data, output):
     with open(os.path.join(HERE, "RealSky", name + ".galaxy"), encoding="utf-8") as file:
         text = file.read()
     path = os.path.join(output, name + ".galaxy")
+    missing = [n for n in re.findall(r'"DATA/([^"]*)"', text) if not os.path.exists(f"{data}/{n}")]
+    if missing:
+        sys.exit(f"{data} lacks {', '.join(missing)}")
     with open(path, "w", encoding="utf-8") as file:
         file.write(text.replace('"DATA/', f'"{os.path.abspath(data)}/'))
     return path
@@ -22,6 +26,8 @@ def main(usage, name, half_width, azimuth, stretch):
     if len(sys.argv) < 2:
         sys.exit(usage)
     data = sys.argv[1]
+    if not os.path.isdir(data):
+        sys.exit(f"no such folder: {data}")
     output = sys.argv[2] if len(sys.argv) > 2 else os.path.join(HERE, "output")
     os.makedirs(output, exist_ok=True)
     gp.load_plugin()

@@ -18,13 +18,15 @@ int vtkDustFilaments::RequestData(
     {
       return;
     }
-    galaxy::DustDescription& dust = component.dust;
+    galaxy::DustDescription dust;
     dust.model = static_cast<galaxy::DustModel>(this->Model);
     dust.steps = this->Steps;
     dust.stepLength = this->StepLength;
     dust.velocityDispersion = this->VelocityDispersion;
     dust.verticalDispersion = this->VerticalDispersion;
     dust.scaleHeight = this->ScaleHeight;
+    dust.dampingTime = this->DampingTime;
+    component.dust = dust;
   };
   return galaxy::reportErrors(this, [&] {
     galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed, change,
@@ -41,5 +43,6 @@ void vtkDustFilaments::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VelocityDispersion: " << this->VelocityDispersion << "\n";
   os << indent << "VerticalDispersion: " << this->VerticalDispersion << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
+  os << indent << "DampingTime: " << this->DampingTime << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
 }

@@ -58,6 +58,11 @@ public:
   vtkGetMacro(ScaleHeight, double);
   ///@}
   ///@{
+  /// Time in which a random velocity is forgotten, Myr. Default 10.
+  vtkSetMacro(DampingTime, double);
+  vtkGetMacro(DampingTime, double);
+  ///@}
+  ///@{
   /// Another seed gives other filaments. Default 1.
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
@@ -80,6 +85,7 @@ private:
   double VelocityDispersion = 10;
   double VerticalDispersion = 6;
   double ScaleHeight = 0.1;
+  double DampingTime = 10;
   int RandomSeed = 1;
 };
 

@@ -10,6 +10,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 
+#include <iomanip>
 #include <sstream>
 
 vtkStandardNewMacro(vtkGalaxyModel);
@@ -19,14 +20,33 @@ namespace
 std::string inWords(const galaxy::BuildReport& report)
 {
   std::ostringstream text;
+  text << std::fixed << std::setprecision(2);
   for (const galaxy::ComponentReport& component : report.components)
   {
-    text << component.name << ": " << component.seedsKept << " of " << component.seedsDrawn
-         << " seeds, " << component.particles << " particles of h = " << component.smoothingLength
-         << " kpc; images " << component.imageSeconds << " s, seeds " << component.seedSeconds
-         << " s, particles " << component.thicknessSeconds << " s\n";
+    text << component.name << ": " << component.particles
+         << " particles of h = " << component.smoothingLength << " kpc";
+    if (component.seedsDrawn > 0)
+    {
+      text << " from " << component.seedsKept << " of " << component.seedsDrawn << " seeds";
+    }
+    text << "; " << component.imageSeconds + component.seedSeconds + component.thicknessSeconds
+         << " s\n";
   }
   return text.str();
+}
+
+/// The components whose every seed fell on darkness.
+std::string darkOnes(const galaxy::BuildReport& report)
+{
+  std::string names;
+  for (const galaxy::ComponentReport& component : report.components)
+  {
+    if (component.seedsDrawn > 0 && component.seedsKept == 0)
+    {
+      names += (names.empty() ? "" : ", ") + component.name;
+    }
+  }
+  return names;
 }
 }
 
@@ -39,6 +59,12 @@ int vtkGalaxyModel::FillInputPortInformation(int, vtkInformation* info)
 int vtkGalaxyModel::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  // A reader that failed has said so.
+  if (vtkPartitionedDataSetCollection::GetData(inputVector[0], 0)
+        ->GetNumberOfPartitionedDataSets() == 0)
+  {
+    return 1;
+  }
   return galaxy::reportErrors(this, [&] {
     const galaxy::Galaxy input =
       galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));
@@ -53,6 +79,14 @@ int vtkGalaxyModel::RequestData(
     galaxy::BuildReport report;
     galaxy::Particles particles = galaxy::buildGalaxy(input, options, &report);
     this->Report = inWords(report);
+    const std::string dark = darkOnes(report);
+    if (!dark.empty() && !report.aborted)
+    {
+      vtkWarningMacro(
+        << input.description.file << ": no particles for " << dark
+        << ": none of its seeds lies on a lit pixel. Check the galaxy's ra, dec (degrees) "
+           "and distance, its images' coordinates and the layers' clip and threshold");
+    }
     if (!report.aborted)
     {
       galaxy::toPolyData(std::move(particles), vtkPolyData::GetData(outputVector, 0));

@@ -92,6 +92,11 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   {
     throw std::runtime_error(input.problem);
   }
+  const std::string unknown = this->Settings->UnknownNames(input.components);
+  if (!unknown.empty())
+  {
+    vtkWarningMacro(<< "the particles have no component named " << unknown);
+  }
   const galaxy::Camera camera = galaxy::Camera::lookAt(vector(this->CameraPosition),
     vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
     this->CameraParallelScale, this->CameraViewAngle, this->ImageSize[0], this->ImageSize[1]);

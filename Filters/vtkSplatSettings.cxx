@@ -4,6 +4,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <set>
+
 vtkStandardNewMacro(vtkSplatSettings);
 
 void vtkSplatSettings::SetFactor(FactorMap& factors, const char* component, double factor)
@@ -53,6 +55,29 @@ void vtkSplatSettings::SetComponentVisibility(const char* component, int visible
 void vtkSplatSettings::ClearComponentVisibility()
 {
   this->ClearFactors(this->Visibilities);
+}
+
+std::string vtkSplatSettings::UnknownNames(
+  const std::vector<galaxy::ComponentInfo>& components) const
+{
+  std::set<std::string> unknown;
+  for (const FactorMap* factors : { &this->Sizes, &this->Brightnesses, &this->Visibilities })
+  {
+    for (const auto& factor : *factors)
+    {
+      unknown.insert(factor.first);
+    }
+  }
+  for (const galaxy::ComponentInfo& component : components)
+  {
+    unknown.erase(component.name);
+  }
+  std::string text;
+  for (const std::string& name : unknown)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
 }
 
 void vtkSplatSettings::Apply(

@@ -65,6 +65,9 @@ public:
   void ClearComponentVisibility();
   ///@}
 
+  /// The names given to the methods above that are not among these components, comma separated.
+  std::string UnknownNames(const std::vector<galaxy::ComponentInfo>& components) const;
+
   /// Applies the factors to a component table and says which components are drawn.
   void Apply(std::vector<galaxy::ComponentInfo>& components, std::vector<bool>& visible) const;
 
