@@ -30,7 +30,8 @@ public:
     RINGS = 4,
   };
   ///@{
-  /// The thickness model; RINGS: the ring table's own scale height and law. Default FROM_DESCRIPTION.
+  /// The thickness model; RINGS: the ring table's own scale height and law. Default
+  /// FROM_DESCRIPTION.
   vtkSetClampMacro(Model, int, FROM_DESCRIPTION, RINGS);
   vtkGetMacro(Model, int);
   ///@}

@@ -17,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +31,13 @@ constexpr int pointsPerRing = 181;
 constexpr std::size_t cardLength = 80;
 
 /// The columns of a ring table as cell arrays; `length` marks those that `unit` scales.
-struct RingColumn
+struct RingArray
 {
   const char* name;
   double Ring::*member;
   bool length;
 };
-const RingColumn ringColumns[] = {
+const RingArray ringArrays[] = {
   { "Radius", &Ring::radius, true },
   { "RotationVelocity", &Ring::rotationVelocity, false },
   { "ScaleHeight", &Ring::scaleHeight, true },
@@ -46,6 +47,23 @@ const RingColumn ringColumns[] = {
   { "ExpansionVelocity", &Ring::expansionVelocity, false },
   { "SystemicVelocity", &Ring::systemicVelocity, false },
 };
+
+/// A further column of the table as an array, unless the rings have one of this name already.
+void addColumn(const RingColumn& column, vtkCellData* cells)
+{
+  if (!cells->HasArray(column.name.c_str()))
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(column.name.c_str());
+    if (!column.unit.empty())
+    {
+      values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), column.unit.c_str());
+    }
+    values->SetNumberOfValues(static_cast<vtkIdType>(column.values.size()));
+    std::copy(column.values.begin(), column.values.end(), values->GetPointer(0));
+    cells->AddArray(values);
+  }
+}
 
 void setFieldInteger(vtkDataObject* object, const char* name, int value)
 {
@@ -98,6 +116,14 @@ void toImageData(const Image& image, vtkImageData* output)
   intensity->SetNumberOfValues(static_cast<vtkIdType>(image.values.size()));
   std::copy(image.values.begin(), image.values.end(), intensity->GetPointer(0));
   output->GetPointData()->SetScalars(intensity);
+  if (!image.bad.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> bad;
+    bad->SetName("Bad");
+    bad->SetNumberOfValues(static_cast<vtkIdType>(image.bad.size()));
+    std::copy(image.bad.begin(), image.bad.end(), bad->GetPointer(0));
+    output->GetPointData()->AddArray(bad);
+  }
 
   vtkNew<vtkStringArray> cards;
   cards->SetName("FITSHeader");
@@ -128,6 +154,10 @@ Image toImage(vtkImageData* input)
   for (std::size_t i = 0; i < image.values.size(); ++i)
   {
     image.values[i] = intensity->GetTuple1(static_cast<vtkIdType>(i));
+  }
+  if (auto bad = vtkUnsignedCharArray::SafeDownCast(input->GetPointData()->GetArray("Bad")))
+  {
+    image.bad.assign(bad->GetPointer(0), bad->GetPointer(0) + bad->GetNumberOfValues());
   }
   if (auto cards =
         vtkStringArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("FITSHeader")))
@@ -162,7 +192,7 @@ void toPolyData(const RingTable& table, double unit, double spin, vtkPolyData* o
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  for (const RingColumn& column : ringColumns)
+  for (const RingArray& column : ringArrays)
   {
     vtkNew<vtkDoubleArray> values;
     values->SetName(column.name);
@@ -171,6 +201,10 @@ void toPolyData(const RingTable& table, double unit, double spin, vtkPolyData* o
       values->InsertNextValue(ring.*column.member * (column.length ? unit : 1));
     }
     output->GetCellData()->AddArray(values);
+  }
+  for (const RingColumn& column : table.columns)
+  {
+    addColumn(column, output->GetCellData());
   }
   output->GetCellData()->SetActiveScalars("RotationVelocity");
   setFieldInteger(output, "RingCode", static_cast<int>(table.code));
@@ -186,7 +220,7 @@ RingTable toRingTable(vtkPolyData* input, double unit)
   table.layerLaw =
     static_cast<LayerLaw>(fieldInteger(input, "LayerLaw", static_cast<int>(LayerLaw::Sech2)));
   table.rings.resize(static_cast<std::size_t>(input->GetNumberOfCells()));
-  for (const RingColumn& column : ringColumns)
+  for (const RingArray& column : ringArrays)
   {
     vtkDataArray* values = input->GetCellData()->GetArray(column.name);
     if (!values)
@@ -211,10 +245,10 @@ void toFieldData(const Galaxy& galaxy, vtkDataObject* object)
   setFieldInteger(object, "LayerLaw", static_cast<int>(galaxy.rings.layerLaw));
   vtkNew<vtkDoubleArray> rings;
   rings->SetName("TiltedRings");
-  rings->SetNumberOfComponents(static_cast<int>(std::size(ringColumns)));
+  rings->SetNumberOfComponents(static_cast<int>(std::size(ringArrays)));
   for (const Ring& ring : galaxy.rings.rings)
   {
-    for (const RingColumn& column : ringColumns)
+    for (const RingArray& column : ringArrays)
     {
       rings->InsertNextValue(ring.*column.member);
     }
@@ -233,7 +267,7 @@ Galaxy galaxyOfFieldData(vtkDataObject* object)
   galaxy.rings.layerLaw =
     static_cast<LayerLaw>(fieldInteger(object, "LayerLaw", static_cast<int>(LayerLaw::Sech2)));
   vtkDataArray* rings = object->GetFieldData()->GetArray("TiltedRings");
-  if (!rings || rings->GetNumberOfComponents() != static_cast<int>(std::size(ringColumns)))
+  if (!rings || rings->GetNumberOfComponents() != static_cast<int>(std::size(ringArrays)))
   {
     throw Error(file, "TiltedRings", "no such field array; the input must come from DiskSeeds");
   }
@@ -241,7 +275,7 @@ Galaxy galaxyOfFieldData(vtkDataObject* object)
   {
     Ring ring;
     int channel = 0;
-    for (const RingColumn& column : ringColumns)
+    for (const RingArray& column : ringArrays)
     {
       ring.*column.member = rings->GetComponent(i, channel++);
     }
@@ -267,6 +301,10 @@ void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
   addBlock(rings, "rings");
   for (std::size_t i = 0; i < galaxy.images.size(); ++i)
   {
+    if (!description.images[i].combine.empty())
+    {
+      continue;
+    }
     vtkNew<vtkImageData> image;
     toImageData(galaxy.images[i], image);
     addBlock(image, description.images[i].name);
@@ -297,6 +335,11 @@ Galaxy toGalaxy(vtkPartitionedDataSetCollection* input)
   galaxy.rings = toRingTable(rings, kpcPerArcsec(galaxy.description.distance));
   for (const ImageDescription& description : galaxy.description.images)
   {
+    if (!description.combine.empty())
+    {
+      galaxy.images.emplace_back();
+      continue;
+    }
     auto image = vtkImageData::SafeDownCast(block(description.name));
     if (!image)
     {

@@ -19,6 +19,39 @@ vtkFITSImageReader::vtkFITSImageReader()
 
 vtkFITSImageReader::~vtkFITSImageReader() = default;
 
+void vtkFITSImageReader::AddMaskValue(double value)
+{
+  this->MaskValues.push_back(value);
+  this->Modified();
+}
+
+void vtkFITSImageReader::RemoveAllMaskValues()
+{
+  if (!this->MaskValues.empty())
+  {
+    this->MaskValues.clear();
+    this->Modified();
+  }
+}
+
+galaxy::FitsSelection vtkFITSImageReader::Selection() const
+{
+  galaxy::FitsSelection selection;
+  selection.hdu = this->HDU;
+  selection.extension = this->Extension;
+  selection.plane = this->Plane;
+  if (this->Planes[0] >= 0 || this->Planes[1] >= 0)
+  {
+    selection.planes = { this->Planes[0], this->Planes[1] };
+  }
+  if (this->VelocityRange[0] != 0 || this->VelocityRange[1] != 0)
+  {
+    selection.velocityRange = { this->VelocityRange[0], this->VelocityRange[1] };
+  }
+  selection.maskValues = this->MaskValues;
+  return selection;
+}
+
 bool vtkFITSImageReader::ReadIfModified()
 {
   if (this->ImageTime > this->GetMTime())
@@ -27,12 +60,23 @@ bool vtkFITSImageReader::ReadIfModified()
   }
   this->Image.reset();
   this->ImageTime.Modified();
-  galaxy::reportErrors(this, [this] {
-    galaxy::FitsSelection selection;
-    selection.hdu = this->HDU;
-    selection.extension = this->Extension;
-    selection.plane = this->Plane;
-    this->Image = std::make_unique<galaxy::Image>(galaxy::readFitsImage(this->FileName, selection));
+  this->AbortExecute = 0;
+  const auto progress = [this](double part) {
+    this->UpdateProgress(part);
+    return !this->GetAbortExecute();
+  };
+  galaxy::reportErrors(this, [&] {
+    try
+    {
+      this->Image = std::make_unique<galaxy::Image>(
+        galaxy::readFitsImage(this->FileName, this->Selection(), progress));
+    }
+    catch (const galaxy::Aborted&)
+    {
+      // Whoever ended the reading knows, by SetAbortExecute, which has modified this object:
+      // without this, RequestData would read again what RequestInformation was told to leave.
+      this->ImageTime.Modified();
+    }
   });
   return this->Image != nullptr;
 }
@@ -68,4 +112,13 @@ void vtkFITSImageReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HDU: " << this->HDU << "\n";
   os << indent << "Extension: " << this->Extension << "\n";
   os << indent << "Plane: " << this->Plane << "\n";
+  os << indent << "Planes: " << this->Planes[0] << " " << this->Planes[1] << "\n";
+  os << indent << "VelocityRange: " << this->VelocityRange[0] << " " << this->VelocityRange[1]
+     << "\n";
+  os << indent << "MaskValues:";
+  for (const double value : this->MaskValues)
+  {
+    os << " " << value;
+  }
+  os << "\n";
 }

@@ -1,6 +1,9 @@
 /**
  * @class   vtkFITSImageReader
- * @brief   one plane of a FITS image as vtkImageData
+ * @brief   one plane of a FITS image, or a sum of planes, as vtkImageData
+ *
+ * The planes of a cube are spanned by its celestial axes, wherever they stand; see
+ * galaxy::FitsSelection. A long reading tells its progress and ends where AbortExecute is set.
  *
  * Point array `Intensity` (float64; NaN where the image is blank). A point lies at its FITS pixel
  * coordinates: the first pixel's centre is (1, 1). The header's cards are the string array
@@ -14,9 +17,11 @@
 
 #include <memory> // for the image read
 #include <string> // for file and extension names
+#include <vector> // for the values that are masked
 
 namespace galaxy
 {
+struct FitsSelection;
 struct Image;
 }
 
@@ -43,9 +48,26 @@ public:
   vtkGetCharFromStdStringMacro(Extension);
   ///@}
   ///@{
-  /// Zero-based plane of a cube, counted over all axes beyond the second. Default 0.
+  /// Zero-based plane of a cube, counted over all axes but the image's, the lowest-numbered
+  /// fastest. Default 0.
   vtkSetMacro(Plane, int);
   vtkGetMacro(Plane, int);
+  ///@}
+  ///@{
+  /// The first and last of the planes whose mean is read; (-1, -1), the default: Plane alone.
+  vtkSetVector2Macro(Planes, int);
+  vtkGetVector2Macro(Planes, int);
+  ///@}
+  ///@{
+  /// Velocities, km/s, over whose channels the cube is integrated (moment 0); both 0, the default:
+  /// Plane alone.
+  vtkSetVector2Macro(VelocityRange, double);
+  vtkGetVector2Macro(VelocityRange, double);
+  ///@}
+  ///@{
+  /// Values that stand for blank pixels; none by default.
+  void AddMaskValue(double value);
+  void RemoveAllMaskValues();
   ///@}
 
 protected:
@@ -62,11 +84,15 @@ private:
   void operator=(const vtkFITSImageReader&) = delete;
 
   bool ReadIfModified();
+  galaxy::FitsSelection Selection() const;
 
   std::string FileName;
   std::string Extension;
   int HDU = -1;
   int Plane = 0;
+  int Planes[2] = { -1, -1 };
+  double VelocityRange[2] = { 0, 0 };
+  std::vector<double> MaskValues;
   std::unique_ptr<galaxy::Image> Image;
   vtkTimeStamp ImageTime;
 };

@@ -2,11 +2,13 @@
  * @class   vtkTiltedRingReader
  * @brief   a tilted-ring model as one closed polyline a ring
  *
- * Reads a plain table (r, vrot, Z0, i, PA), GIPSY ROTCUR output or a TiRiFiC .def file. Points lie
- * in the galaxy's frame: X to the West, Y to the North, Z toward the observer; lengths are kpc at
- * the given distance, or arcsec where the distance is 0. Cell arrays: `Radius`, `ScaleHeight` (in
- * the points' unit), `RotationVelocity`, `ExpansionVelocity`, `SystemicVelocity` (km/s),
- * `Inclination`, `PositionAngle` (degrees), `SurfaceBrightness` (the model's own unit).
+ * Reads a TiRiFiC or FAT .def file, GIPSY ROTCUR, 3DBarolo or DiskFit output, a table with named
+ * columns (CSV, ECSV, text under a heading) or a plain one (r, vrot, Z0, i, PA). Points lie in the
+ * galaxy's frame: X to the West, Y to the North, Z toward the observer; lengths are kpc at the
+ * given distance, or arcsec where the distance is 0. Cell arrays: `Radius`, `ScaleHeight` (in the
+ * points' unit), `RotationVelocity`, `ExpansionVelocity`, `SystemicVelocity` (km/s), `Inclination`,
+ * `PositionAngle` (degrees, unwrapped), `SurfaceBrightness` (the model's own unit), and the file's
+ * further columns (dispersions, centres, errors) by their names there, in their units.
  */
 #ifndef vtkTiltedRingReader_h
 #define vtkTiltedRingReader_h
@@ -29,9 +31,49 @@ public:
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
   ///@{
-  /// Distance in Mpc; 0 (default) leaves lengths in arcsec.
+  /// Distance in Mpc; 0 (default) leaves lengths in arcsec, and refuses files in pc or kpc.
   vtkSetMacro(Distance, double);
   vtkGetMacro(Distance, double);
+  ///@}
+
+  ///@{
+  /// Arcsec that a pixel spans, for files with radii in pixels; 0 (default) is what the file says.
+  vtkSetMacro(PixelScale, double);
+  vtkGetMacro(PixelScale, double);
+  ///@}
+  ///@{
+  /// The disk of a TiRiFiC file with several, from 1 (default).
+  vtkSetMacro(Disk, int);
+  vtkGetMacro(Disk, int);
+  ///@}
+
+  enum SidesOfDisk
+  {
+    FIRST = 0,
+    SECOND = 1,
+    MEAN = 2,
+  };
+  ///@{
+  /// Where the disk is one of two halves, receding and approaching: its own values (First,
+  /// default), those of the other half (Second), or the mean of both.
+  vtkSetClampMacro(Sides, int, FIRST, MEAN);
+  vtkGetMacro(Sides, int);
+  ///@}
+
+  enum LayerLaws
+  {
+    FROM_FILE = 0,
+    GAUSSIAN = 1,
+    SECH2 = 2,
+    EXPONENTIAL = 3,
+    LORENTZIAN = 4,
+    BOX = 5,
+  };
+  ///@{
+  /// The vertical law that the scale heights belong to; FromFile (default): what the file says, or
+  /// its program's usual one.
+  vtkSetClampMacro(LayerLaw, int, FROM_FILE, BOX);
+  vtkGetMacro(LayerLaw, int);
   ///@}
 
   enum SpinSenses
@@ -60,6 +102,10 @@ private:
 
   std::string FileName;
   double Distance = 0;
+  double PixelScale = 0;
+  int Disk = 1;
+  int Sides = FIRST;
+  int LayerLaw = FROM_FILE;
   int SpinSense = FROM_CODE;
 };
 

@@ -1,6 +1,8 @@
 #include "Filters/Model/GalaxyBuilder.h"
 
+#include "Filters/Model/CombineImages.h"
 #include "Filters/Model/DustFilaments.h"
+#include "Filters/Model/ImageCleaning.h"
 #include "Filters/Model/ParticleWriter.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/Model/Spheroid.h"
@@ -185,17 +187,41 @@ private:
     std::unique_ptr<SkyImage>& image = this->skyImages[name];
     if (!image)
     {
-      const auto& known = this->galaxy.images;
-      const auto found = std::find_if(known.begin(), known.end(),
-        [&name](const ImageDescription& description) { return description.name == name; });
-      if (found == known.end())
-      {
-        throw Error(this->galaxy.file, name, "a layer names an image that is not described");
-      }
-      image = std::make_unique<SkyImage>(
-        this->images[found - known.begin()], *found, this->sky, this->largestRadius());
+      const std::size_t index = this->imageIndex(name);
+      const ImageDescription& description = this->galaxy.images[index];
+      image = std::make_unique<SkyImage>(description.combine.empty()
+          ? cleanedImage(this->images[index], description)
+          : this->combined(description),
+        this->sky, this->largestRadius());
     }
     return *image;
+  }
+
+  std::size_t imageIndex(const std::string& name) const
+  {
+    const auto& known = this->galaxy.images;
+    const auto found = std::find_if(known.begin(), known.end(),
+      [&name](const ImageDescription& description) { return description.name == name; });
+    if (found == known.end())
+    {
+      throw Error(this->galaxy.file, name, "an image is named that is not described");
+    }
+    return found - known.begin();
+  }
+
+  CleanImage combined(const ImageDescription& description) const
+  {
+    std::vector<CombineSource> sources;
+    for (const std::string& name : description.combine)
+    {
+      const std::size_t index = this->imageIndex(name);
+      const Image& image = this->images[index];
+      const ImageDescription& own = this->galaxy.images[index];
+      CleanImage clean = cleanedImage(image, own);
+      const Resolution resolution = resolutionOf(image, own, clean.grid);
+      sources.push_back({ name, std::move(clean), resolution });
+    }
+    return combineImages(sources, description.signalAbove, this->galaxy.file, description.name);
   }
 
   double largestRadius() const

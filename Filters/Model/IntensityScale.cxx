@@ -9,19 +9,24 @@ namespace galaxy
 {
 namespace
 {
-/// The value that a share of 0.999 of the positive ones does not exceed; 0 where there is none.
-double highPercentile(const std::vector<float>& values)
+/// The value at a percentile, linear between the ranks; reorders the values, of which there is one.
+double percentile(std::vector<float>& values, double percent)
 {
-  std::vector<float> positive;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(positive),
-    [](float value) { return value > 0 && std::isfinite(value); });
-  if (positive.empty())
-  {
-    return 0;
-  }
-  const auto rank = static_cast<std::size_t>(0.999 * (positive.size() - 1));
-  std::nth_element(positive.begin(), positive.begin() + rank, positive.end());
-  return positive[rank];
+  const double rank = percent / 100 * static_cast<double>(values.size() - 1);
+  const auto below = values.begin() + static_cast<std::size_t>(rank);
+  std::nth_element(values.begin(), below, values.end());
+  const double part = rank - std::floor(rank);
+  return part > 0 ? *below + part * (*std::min_element(below + 1, values.end()) - *below) : *below;
+}
+
+/// The finite values for which `pick` is true.
+template <typename Pick>
+std::vector<float> finiteValues(const std::vector<float>& values, Pick pick)
+{
+  std::vector<float> picked;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(picked),
+    [pick](float value) { return std::isfinite(value) && pick(value); });
+  return picked;
 }
 } // namespace
 
@@ -29,18 +34,37 @@ IntensityScale::IntensityScale(
   const LayerDescription& layer, const std::vector<float>& values, const std::string& file)
   : stretch(layer.stretch)
 {
-  if (!layer.clips)
+  if (layer.clips)
   {
-    const double high = highPercentile(values);
-    this->perUnit = high > 0 ? 1 / high : 0;
+    this->setClip(layer.clip[0], layer.clip[1], "clip", layer, file);
     return;
   }
-  if (!(layer.clip[1] > layer.clip[0]))
+  const bool byPercentile = layer.clipsByPercentile;
+  std::vector<float> valid =
+    finiteValues(values, [byPercentile](float value) { return byPercentile || value > 0; });
+  if (valid.empty())
   {
-    throw Error(file, layer.image, "clip needs its second value above its first");
+    return;
   }
-  this->low = layer.clip[0];
-  this->perUnit = 1 / (layer.clip[1] - layer.clip[0]);
+  if (byPercentile)
+  {
+    const double lowest = percentile(valid, layer.clipPercentile[0]);
+    this->setClip(
+      lowest, percentile(valid, layer.clipPercentile[1]), "clip_percentile", layer, file);
+    return;
+  }
+  this->perUnit = 1 / percentile(valid, 99.9);
+}
+
+void IntensityScale::setClip(double lowest, double highest, const char* key,
+  const LayerDescription& layer, const std::string& file)
+{
+  if (!(highest > lowest))
+  {
+    throw Error(file, layer.image, std::string(key) + " needs its second value above its first");
+  }
+  this->low = lowest;
+  this->perUnit = 1 / (highest - lowest);
 }
 
 double IntensityScale::operator()(double value) const
@@ -59,6 +83,8 @@ double IntensityScale::operator()(double value) const
       return std::asinh(10 * clamped) / std::asinh(10.0);
     case IntensityStretch::Density:
       return (std::pow(10.0, clamped) - 1) / 9;
+    case IntensityStretch::Log:
+      return std::log10(1 + 1000 * clamped) / std::log10(1001.0);
     case IntensityStretch::Linear:
       break;
   }

@@ -42,7 +42,7 @@ void requireUsable(const RingTable& table, double distance)
       throw Error(table.file, where, "radii must not be negative and must not decrease");
     }
     for (const double value : { ring.rotationVelocity, ring.scaleHeight, ring.inclination,
-           ring.positionAngle, ring.expansionVelocity })
+           ring.positionAngle, ring.expansionVelocity, ring.systemicVelocity })
     {
       if (!std::isfinite(value))
       {
@@ -57,6 +57,7 @@ void requireUsable(const RingTable& table, double distance)
 TiltedDisk::TiltedDisk(const RingTable& table, double distance, SpinSense sense,
   RingInterpolation interpolation, BeyondLastRing beyond)
   : s(spinOf(table.code, sense))
+  , law(table.layerLaw)
   , beyond(beyond)
 {
   requireUsable(table, distance);
@@ -94,6 +95,7 @@ TiltedDisk::Interval TiltedDisk::constant(double start, const Ring& ring, double
   interval.rotation.value = ring.rotationVelocity;
   interval.expansion.value = ring.expansionVelocity;
   interval.scaleHeight.value = kpc * std::max(0.0, ring.scaleHeight);
+  interval.systemic.value = ring.systemicVelocity;
   interval.startFrame = this->frameOfAngles(interval, 0);
   return interval;
 }
@@ -113,6 +115,7 @@ TiltedDisk::Interval TiltedDisk::between(
   interval.rotation.slope = slope(&Interval::rotation);
   interval.expansion.slope = slope(&Interval::expansion);
   interval.scaleHeight.slope = slope(&Interval::scaleHeight);
+  interval.systemic.slope = slope(&Interval::systemic);
   interval.flat = interval.inclination.slope == 0 && interval.positionAngle.slope == 0;
 
   const Vec3 n0 = interval.startFrame.n;
@@ -206,6 +209,17 @@ double TiltedDisk::scaleHeight(double r) const
   return interval.scaleHeight.at(r - interval.start);
 }
 
+double TiltedDisk::systemicVelocity(double r) const
+{
+  const Interval& interval = this->intervalAt(r);
+  return interval.systemic.at(r - interval.start);
+}
+
+double TiltedDisk::lineOfSightVelocity(double r, double theta) const
+{
+  return this->systemicVelocity(r) - this->velocity(r, theta).z;
+}
+
 double TiltedDisk::areaElement(double r, double theta) const
 {
   const RingFrame ring = this->frame(r);
@@ -230,6 +244,16 @@ double TiltedDisk::outerRadius() const
 {
   return this->beyond == BeyondLastRing::Drop ? this->finalRadius
                                               : std::numeric_limits<double>::infinity();
+}
+
+std::vector<double> TiltedDisk::knots() const
+{
+  std::vector<double> knots;
+  for (const Interval& interval : this->intervals)
+  {
+    knots.push_back(interval.start);
+  }
+  return knots;
 }
 
 double TiltedDisk::slowestRotation(double inner, double outer) const

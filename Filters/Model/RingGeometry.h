@@ -57,8 +57,12 @@ public:
   Vec3 position(double r, double theta, double z = 0) const;
   Vec3 velocity(double r, double theta) const;
 
-  double rotationVelocity(double r) const; ///< km/s
-  double scaleHeight(double r) const;      ///< kpc, the table's Z0
+  double rotationVelocity(double r) const;        ///< km/s
+  double scaleHeight(double r) const;             ///< kpc, the table's Z0
+  LayerLaw layerLaw() const { return this->law; } ///< that Z0 belongs to
+  double systemicVelocity(double r) const;        ///< km/s
+  /// Radial velocity of the matter at a place, km/s, receding positive.
+  double lineOfSightVelocity(double r, double theta) const;
 
   /// Area of the surface per dr dtheta, kpc: r sqrt(1 + (r kappa)^2), kappa = n'(r) . e_r.
   double areaElement(double r, double theta) const;
@@ -69,6 +73,9 @@ public:
   double lastRadius() const { return this->finalRadius; }  ///< the last ring's
   /// Where the disc ends: the last ring, or infinity with BeyondLastRing::HoldLast.
   double outerRadius() const;
+  /// The radii between which every parameter is linear, increasing, from 0; beyond the last the
+  /// disc is flat.
+  std::vector<double> knots() const;
   /// The slowest |rotation| between two radii, km/s.
   double slowestRotation(double inner, double outer) const;
   /// +1 counter-clockwise on the sky, -1 clockwise, for inclinations below 90 degrees.
@@ -90,6 +97,7 @@ private:
     Linear rotation;
     Linear expansion;
     Linear scaleHeight;
+    Linear systemic;
     bool flat = true; ///< the frame is the same throughout
     RingFrame startFrame;
     bool greatCircle = false; ///< the normal is n cos(omega x) + tangent sin(omega x)
@@ -104,6 +112,7 @@ private:
   Interval constant(double start, const Ring& ring, double kpc) const;
 
   double s;
+  LayerLaw law;
   BeyondLastRing beyond;
   double firstRadius;
   double finalRadius;

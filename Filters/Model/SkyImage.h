@@ -2,24 +2,25 @@
 #define galaxy_SkyImage_h
 
 #include "Filters/Model/SkyFrame.h"
+#include "Filters/Model/SkyGrid.h"
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/Image.h"
-#include "Readers/Formats/WorldCoordinates.h"
+#include "Readers/Formats/PixelLattice.h"
 
 #include <vector>
 
 namespace galaxy
 {
-/// An image of the sky as seen in a galaxy's frame.
-///
-/// The way from (X, Y) through the sky to a pixel is tabulated on a square lattice over the image,
-/// which is halved until the bilinear interpolation between its points is right to 0.01 pixel in
-/// the middle of every cell (or there are 512 x 512 cells).
+/// An image of the sky as seen in a galaxy's frame: the way from (X, Y) through the sky to a pixel
+/// is tabulated.
 class SkyImage
 {
 public:
-  /// Prepares the image as `description` asks (background, stars); only the part within `radius`
-  /// kpc of the centre is looked at. Throws Error where the image has no usable coordinates.
+  /// Only the part within `radius` kpc of the centre is looked at.
+  SkyImage(CleanImage image, const SkyFrame& frame, double radius);
+
+  /// Prepares the image as `description` asks (background, bad pixels, stars). Throws Error where
+  /// it has no usable coordinates.
   SkyImage(
     const Image& image, const ImageDescription& description, const SkyFrame& frame, double radius);
 
@@ -27,41 +28,31 @@ public:
   double value(double x, double y) const
   {
     const PixelPosition pixel = this->pixelAt(x, y);
-    if (!(pixel.x >= 0.5 && pixel.x < this->width + 0.5 && pixel.y >= 0.5 &&
-          pixel.y < this->height + 0.5))
+    if (!this->image.grid.contains(pixel))
     {
-      return this->blank();
+      return PixelLattice::nowhere().x;
     }
     const auto column = static_cast<std::size_t>(pixel.x - 0.5);
     const auto row = static_cast<std::size_t>(pixel.y - 0.5);
-    return this->cleaned[row * this->width + column];
+    return this->image.values[row * this->image.grid.width + column];
   }
 
   /// Pixel coordinates from the lattice; NaN outside the image's extent.
-  PixelPosition pixelAt(double x, double y) const;
+  PixelPosition pixelAt(double x, double y) const { return this->lattice.at(x, y); }
   /// The same through the world coordinates themselves. Not thread-safe.
   PixelPosition exactPixelAt(double x, double y) const;
 
   /// The prepared values, axis 1 fastest.
-  const std::vector<float>& values() const { return this->cleaned; }
+  const std::vector<float>& values() const { return this->image.values; }
   /// Cells along a side of the lattice.
-  int latticeSize() const { return this->cells; }
+  int latticeSize() const { return this->lattice.size(); }
 
 private:
-  static double blank();
-  bool findExtent(double radius);
-  void fillLattice();
-  bool latticeIsFine() const;
+  PixelLattice latticeWithin(double radius) const;
 
   SkyFrame frame;
-  WorldCoordinates coordinates;
-  int width;
-  int height;
-  std::vector<float> cleaned;
-  int cells = 8;
-  double left = 0, bottom = 0;          ///< kpc
-  double cellWidth = 0, cellHeight = 0; ///< kpc
-  std::vector<PixelPosition> lattice;   ///< (cells + 1)^2, X fastest
+  CleanImage image;
+  PixelLattice lattice;
 };
 } // namespace galaxy
 

@@ -12,12 +12,25 @@ namespace
 constexpr double pi = 3.14159265358979323846;
 /// pc (km/s)^2 / Msun
 constexpr double G = 4.30091e-3;
+
+LayerLaw lawOf(const ThicknessDescription& thickness, const TiltedDisk& disk)
+{
+  switch (thickness.model)
+  {
+    case ThicknessModel::Gaussian:
+      return LayerLaw::Gaussian;
+    case ThicknessModel::Rings:
+      return disk.layerLaw();
+    default:
+      return thickness.law;
+  }
+}
 } // namespace
 
 ThicknessProfile::ThicknessProfile(const ThicknessDescription& thickness, const TiltedDisk& disk)
   : thickness(thickness)
   , disk(disk)
-  , verticalLaw(thickness.model == ThicknessModel::Gaussian ? LayerLaw::Gaussian : thickness.law)
+  , verticalLaw(lawOf(thickness, disk))
   , widthOfUnit(fwhmHeight(this->verticalLaw))
 {
 }
@@ -34,6 +47,8 @@ double ThicknessProfile::scaleHeight(double r) const
       return this->flaredWidth(r) / this->widthOfUnit;
     case ThicknessModel::Hydrostatic:
       return this->hydrostaticDispersion(r) * fwhmHeight(LayerLaw::Gaussian) / this->widthOfUnit;
+    case ThicknessModel::Rings:
+      return this->disk.scaleHeight(r);
     case ThicknessModel::Gaussian:
       break;
   }

@@ -6,7 +6,7 @@
 
 namespace galaxy
 {
-/// The four thickness models as functions of radius R (kpc).
+/// The thickness models as functions of radius R (kpc).
 ///
 /// Gaussian (the paper's model 1): children displaced by sigma along every axis; their mean number
 /// is N0 I_p^(1 - gamma), the inverse of I_s = I_p^gamma, so that N I_s = N0 I_p.
@@ -25,6 +25,8 @@ namespace galaxy
 ///   nu_h^2 = v_rot^2/(R^2 + (0.1 kpc)^2),
 /// at most the radius of the last ring, where nothing holds the gas. The dispersion is turned into
 /// other laws' scale heights at equal full width.
+///
+/// Rings: the scale height and law of the ring table, as the fit to the galaxy had them.
 class ThicknessProfile
 {
 public:

@@ -1,186 +1,252 @@
 #include "Readers/Formats/CelestialFrame.h"
 
+#include <erfa.h>
+#include <erfam.h>
+
 #include <cmath>
 
 namespace galaxy
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-const double radians = std::acos(-1.0) / 180;
+struct Vector
+{
+  double p[3];
+};
+struct Matrix
+{
+  double r[3][3];
+};
 constexpr Matrix identity = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+constexpr double arcsec = ERFA_DAS2R;
 
-double dot(const Vector& a, const Vector& b)
+// ERFA takes its arguments without const, hence all by value.
+Vector operator*(Matrix m, Vector v)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  Vector out;
+  eraRxp(m.r, v.p, out.p);
+  return out;
 }
 
-Vector operator*(const Matrix& m, const Vector& v)
+Matrix operator*(Matrix a, Matrix b)
 {
-  return { dot(m[0], v), dot(m[1], v), dot(m[2], v) };
+  Matrix out;
+  eraRxr(a.r, b.r, out.r);
+  return out;
 }
 
-Matrix transpose(const Matrix& m)
+Matrix transpose(Matrix m)
 {
-  Matrix t{};
+  Matrix out;
+  eraTr(m.r, out.r);
+  return out;
+}
+
+/// The inverse of a matrix that is orthogonal to 1e-8: a Newton step from the transpose, whose
+/// error is the square of that.
+Matrix inverse(const Matrix& m)
+{
+  const Matrix guess = transpose(m);
+  Matrix step = m * guess;
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 3; ++j)
     {
-      t[i][j] = m[j][i];
+      step.r[i][j] = (i == j ? 2 : 0) - step.r[i][j];
     }
   }
-  return t;
-}
-
-Matrix operator*(const Matrix& a, const Matrix& b)
-{
-  const Matrix columns = transpose(b);
-  Matrix product{};
-  for (int i = 0; i < 3; ++i)
-  {
-    product[i] = columns * a[i];
-  }
-  return product;
+  return guess * step;
 }
 
 Vector toVector(const SkyPosition& position)
 {
-  const double alpha = position.ra * radians;
-  const double delta = position.dec * radians;
-  return { std::cos(delta) * std::cos(alpha), std::cos(delta) * std::sin(alpha), std::sin(delta) };
+  Vector v;
+  eraS2c(position.ra * ERFA_DD2R, position.dec * ERFA_DD2R, v.p);
+  return v;
 }
 
-SkyPosition toPosition(const Vector& v)
+SkyPosition toPosition(Vector v)
 {
-  SkyPosition position;
-  position.ra = std::atan2(v[1], v[0]) / radians;
-  position.dec = std::atan2(v[2], std::hypot(v[0], v[1])) / radians;
-  if (position.ra < 0)
-  {
-    position.ra += 360;
-  }
-  if (position.ra >= 360)
-  {
-    position.ra = 0;
-  }
-  return position;
+  double ra, dec;
+  eraC2s(v.p, &ra, &dec);
+  // An angle just below zero becomes a full turn when rounded.
+  const double degrees = eraAnp(ra) * ERFA_DR2D;
+  return { degrees < 360 ? degrees : 0, dec * ERFA_DR2D };
 }
 
-/// Rz(-z) Ry(theta) Rz(-zeta), the equatorial precession matrix; angles in arcsec.
-Matrix precession(double zeta, double z, double theta)
+struct JulianDate
 {
-  const double arcsec = radians / 3600;
-  const double cosZeta = std::cos(zeta * arcsec), sinZeta = std::sin(zeta * arcsec);
-  const double cosZ = std::cos(z * arcsec), sinZ = std::sin(z * arcsec);
-  const double cosTheta = std::cos(theta * arcsec), sinTheta = std::sin(theta * arcsec);
-  return { { { cosZ * cosTheta * cosZeta - sinZ * sinZeta,
-               -cosZ * cosTheta * sinZeta - sinZ * cosZeta, -cosZ * sinTheta },
-    { sinZ * cosTheta * cosZeta + cosZ * sinZeta, -sinZ * cosTheta * sinZeta + cosZ * cosZeta,
-      -sinZ * sinTheta },
-    { sinTheta * cosZeta, -sinTheta * sinZeta, cosTheta } } };
+  double day, fraction;
+};
+
+JulianDate julianEpoch(double year)
+{
+  JulianDate date;
+  eraEpj2jd(year, &date.day, &date.fraction);
+  return date;
 }
 
-/// IAU 1976 precession from J2000 to a Julian equinox (Lieske et al. 1977, A&A 58, 1).
+JulianDate besselianEpoch(double year)
+{
+  JulianDate date;
+  eraEpb2jd(year, &date.day, &date.fraction);
+  return date;
+}
+
+// J2000 differs from ICRS by 0.02 arcsec (Mignard and Froeschle 2000, A&A 354, 732).
+Matrix fk5ToIcrs()
+{
+  Matrix m;
+  double spin[3];
+  eraFk5hip(m.r, spin);
+  return m;
+}
+
+/// IAU 2006 precession from J2000.
 Matrix precessionFromJ2000(double equinox)
 {
-  const double t = (equinox - 2000) / 100;
-  return precession(t * (2306.2181 + t * (0.30188 + t * 0.017998)),
-    t * (2306.2181 + t * (1.09468 + t * 0.018203)),
-    t * (2004.3109 + t * (-0.42665 - t * 0.041833)));
+  const JulianDate date = julianEpoch(equinox);
+  Matrix bias, precession, both;
+  eraBp06(date.day, date.fraction, bias.r, precession.r, both.r);
+  return precession;
 }
 
-/// Newcomb's precession from B1950 to a Besselian equinox (Explanatory Supplement 1992, 3.214).
-Matrix precessionFromB1950(double equinox)
+/// Newcomb's precession to B1950 (Explanatory Supplement 1992, 3.214).
+Matrix precessionToB1950(double equinox)
 {
-  constexpr double t1 = (1950.0 - 1850.0) / 1000;
-  const double t = (equinox - 1950) / 1000;
-  constexpr double rate = 23035.545 + t1 * (139.720 + t1 * 0.060);
-  return precession(t * (rate + t * (30.240 - 0.27 * t1 + t * 17.995)),
-    t * (rate + t * (109.480 + 0.39 * t1 + t * 18.325)),
-    t * (20051.12 - t1 * (85.29 + 0.37 * t1) + t * (-42.65 - 0.37 * t1 - t * 41.8)));
+  const double t1 = (equinox - 1850) / 1000;
+  const double t = (1950 - equinox) / 1000;
+  const double rate = 23035.545 + t1 * (139.720 + t1 * 0.060);
+  const double zeta = t * (rate + t * (30.240 - 0.27 * t1 + t * 17.995));
+  const double z = t * (rate + t * (109.480 + 0.39 * t1 + t * 18.325));
+  const double theta =
+    t * (20051.12 - t1 * (85.29 + 0.37 * t1) + t * (-42.65 - 0.37 * t1 - t * 41.8));
+  Matrix m = identity;
+  eraRz(-zeta * arcsec, m.r);
+  eraRy(theta * arcsec, m.r);
+  eraRz(-z * arcsec, m.r);
+  return m;
 }
 
-// FK4 without E-terms at B1950 to FK5 at J2000 (Murray 1989, A&A 218, 325).
-constexpr Matrix fk4ToFk5 = { {
-  { 0.9999256794956877, -0.0111814832204662, -0.0048590038153592 },
-  { 0.0111814832391717, 0.9999374848933135, -0.0000271625947142 },
-  { 0.0048590037723143, -0.0000271702937440, 0.9999881946023742 },
-} };
+/// FK4 at B1950 without E-terms to FK5 at J2000, for positions observed at a Besselian epoch
+/// (Murray 1989, A&A 218, 325, equations 28 and 29).
+Matrix fk4ToFk5(double epoch)
+{
+  constexpr Matrix atB1950 = { {
+    { 0.9999256794956877, -0.0111814832204662, -0.0048590038153592 },
+    { 0.0111814832391717, 0.9999374848933135, -0.0000271625947142 },
+    { 0.0048590037723143, -0.0000271702937440, 0.9999881946023742 },
+  } };
+  constexpr Matrix aCentury = { {
+    { -0.0026455262e-6, -1.1539918689e-6, 2.1111346190e-6 },
+    { 1.1540628161e-6, -0.0129042997e-6, 0.0236021478e-6 },
+    { -2.1112979048e-6, -0.0056024448e-6, 0.0102587734e-6 },
+  } };
+  const JulianDate date = besselianEpoch(epoch);
+  const double centuries = (eraEpj(date.day, date.fraction) - 1950) / 100;
+  Matrix m = atB1950;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      m.r[i][j] += centuries * aCentury.r[i][j];
+    }
+  }
+  return m;
+}
 
-// E-terms of aberration at B1950 (Explanatory Supplement 1992, 3.53).
-constexpr Vector eTerms1950 = { -1.62557e-6, -0.31919e-6, -0.13843e-6 };
-
-// ICRS to Galactic (ESA 1997, The Hipparcos Catalogue, volume 1, equation 1.5.11).
-constexpr Matrix icrsToGalactic = { {
-  { -0.0548755604162154, -0.8734370902348850, -0.4838350155487132 },
-  { 0.4941094278755837, -0.4448296299600112, 0.7469822444972189 },
-  { -0.8676661490190047, -0.1980763734312015, 0.4559837761750669 },
-} };
+/// E-terms of aberration (Explanatory Supplement 1992, 3.53): eccentricity and perigee of the
+/// Sun's orbit, obliquity IAU 1980.
+Vector eTermsAt(double equinox)
+{
+  constexpr double aberration = 0.0056932 * ERFA_DD2R;
+  const JulianDate date = besselianEpoch(equinox);
+  const JulianDate b1950 = besselianEpoch(1950);
+  const double t = (date.day - b1950.day + (date.fraction - b1950.fraction)) / 36525;
+  const double ek = aberration * (0.01673011 - t * (0.00004193 + t * 0.000000126));
+  const double perigee = (1015489.951 + t * (6190.67 + t * (1.65 + t * 0.012))) * arcsec;
+  const double obliquity = eraObl80(date.day, date.fraction);
+  const double y = -ek * std::cos(perigee);
+  return { { ek * std::sin(perigee), y * std::cos(obliquity), y * std::sin(obliquity) } };
+}
 } // namespace
 
-CelestialFrame::CelestialFrame(const Matrix& rotation, bool hasETerms, const Matrix& fromB1950)
-  : rotation(rotation)
-  , hasETerms(hasETerms)
-  , fromB1950(fromB1950)
+struct CelestialFrame::Way
+{
+  Matrix toIcrs;
+  Matrix fromIcrs;
+  Vector eTerms; // zero but for FK4
+};
+
+CelestialFrame::CelestialFrame(const Way& way)
+  : way(std::make_shared<Way>(way))
 {
 }
 
 CelestialFrame CelestialFrame::icrs()
 {
-  return { identity, false, identity };
+  return CelestialFrame({ identity, identity, {} });
 }
 
+// The pole and the longitude of the celestial pole, the values of 1958 brought from B1950.
 CelestialFrame CelestialFrame::galactic()
 {
-  return { transpose(icrsToGalactic), false, identity };
+  Matrix m = identity;
+  eraRz(192.8594812065348 * ERFA_DD2R, m.r);
+  eraRy((90 - 27.12825118085622) * ERFA_DD2R, m.r);
+  eraRz((180 - 122.9319185680026) * ERFA_DD2R, m.r);
+  m = m * transpose(fk5ToIcrs());
+  return CelestialFrame({ transpose(m), m, {} });
 }
 
-CelestialFrame CelestialFrame::ecliptic()
+CelestialFrame CelestialFrame::ecliptic(double equinox)
 {
-  const double obliquity = 84381.448 / 3600 * radians; // IAU 1976
-  const double c = std::cos(obliquity), s = std::sin(obliquity);
-  return { { { { 1, 0, 0 }, { 0, c, -s }, { 0, s, c } } }, false, identity };
+  const JulianDate date = julianEpoch(equinox);
+  Matrix m;
+  eraEcm06(date.day, date.fraction, m.r);
+  return CelestialFrame({ transpose(m), m, {} });
 }
 
 CelestialFrame CelestialFrame::fk5(double equinox)
 {
-  return { transpose(precessionFromJ2000(equinox)), false, identity };
+  const Matrix m = precessionFromJ2000(equinox) * transpose(fk5ToIcrs());
+  return CelestialFrame({ transpose(m), m, {} });
+}
+
+CelestialFrame CelestialFrame::fk4WithoutETerms(double equinox)
+{
+  const Matrix m = fk5ToIcrs() * fk4ToFk5(equinox) * precessionToB1950(equinox);
+  return CelestialFrame({ m, inverse(m), {} });
 }
 
 CelestialFrame CelestialFrame::fk4(double equinox)
 {
-  const Matrix fromB1950 = precessionFromB1950(equinox);
-  return { fk4ToFk5 * transpose(fromB1950), true, fromB1950 };
+  Way way = *fk4WithoutETerms(equinox).way;
+  way.eTerms = eTermsAt(equinox);
+  return CelestialFrame(way);
 }
 
 SkyPosition CelestialFrame::toIcrs(const SkyPosition& position) const
 {
   Vector r = toVector(position);
-  if (this->hasETerms)
+  Vector e = this->way->eTerms;
+  const double along = eraPdp(r.p, e.p);
+  for (int i = 0; i < 3; ++i)
   {
-    const Vector e = this->fromB1950 * eTerms1950;
-    const double along = dot(r, e);
-    for (int i = 0; i < 3; ++i)
-    {
-      r[i] += along * r[i] - e[i];
-    }
+    r.p[i] += along * r.p[i] - e.p[i];
   }
-  return toPosition(this->rotation * r);
+  return toPosition(this->way->toIcrs * r);
 }
 
 SkyPosition CelestialFrame::fromIcrs(const SkyPosition& position) const
 {
-  Vector r = transpose(this->rotation) * toVector(position);
-  if (this->hasETerms)
+  Vector r = this->way->fromIcrs * toVector(position);
+  Vector e = this->way->eTerms;
+  // toIcrs undone: d r' = r + (e.r) r - e, so that r is parallel to d r' + e, where the length d is
+  // 1 to the square of e, 3e-12.
+  for (int i = 0; i < 3; ++i)
   {
-    const Vector e = this->fromB1950 * eTerms1950;
-    for (int i = 0; i < 3; ++i)
-    {
-      r[i] += e[i];
-    }
+    r.p[i] += e.p[i];
   }
   return toPosition(r);
 }

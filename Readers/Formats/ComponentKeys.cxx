@@ -24,7 +24,13 @@ void readLayers(const KeyValue& value, ComponentDescription& out)
 {
   for (const toml::table* table : value.tables())
   {
-    readTable(value.file, "layers", *table, layerKeys(), out.layers.emplace_back());
+    LayerDescription& layer = out.layers.emplace_back();
+    readTable(value.file, "layers", *table, layerKeys(), layer);
+    if (layer.clips && layer.clipsByPercentile)
+    {
+      KeyValue(value.file, "clip_percentile", *table->get("clip_percentile"))
+        .fail("contradicts clip: give one or the other");
+    }
   }
 }
 
@@ -44,6 +50,17 @@ void readClip(const KeyValue& value, LayerDescription& out)
   out.clips = true;
   out.clip = { clip[0], clip[1] };
 }
+
+void readClipPercentile(const KeyValue& value, LayerDescription& out)
+{
+  const std::vector<double> clip = value.numbers(2, Range::from(0, 100));
+  if (!(clip[1] > clip[0]))
+  {
+    value.fail("the second value must be greater than the first");
+  }
+  out.clipsByPercentile = true;
+  out.clipPercentile = { clip[0], clip[1] };
+}
 } // namespace
 
 const Keys<LayerDescription>& layerKeys()
@@ -55,11 +72,13 @@ const Keys<LayerDescription>& layerKeys()
     numberKey<L>("weight", &L::weight, Range::notNegative(), "", "Factor on the intensity."),
     { "clip", "2 numbers, the image's unit", "0 and the 99.9th percentile of what is positive",
       "Values that become intensity 0 and 1.", readClip },
+    { "clip_percentile", "2 numbers 0 to 100", "none",
+      "The same as percentiles of the valid pixels, in place of clip.", readClipPercentile },
     numberKey<L>("threshold", &L::threshold, Range::notNegative(), "",
       "Seeds of a lower intensity are culled."),
-    choiceKey<L>("stretch", &L::stretch, { "Linear", "Sqrt", "Asinh", "Density" },
-      "From the clipped value t to the intensity: t, sqrt(t), asinh(10 t)/asinh(10) or, for a "
-      "photographic plate, (10^t - 1)/9."),
+    choiceKey<L>("stretch", &L::stretch, { "Linear", "Sqrt", "Asinh", "Density", "Log" },
+      "From the clipped value t to the intensity: t, sqrt(t), asinh(10 t)/asinh(10), for a "
+      "photographic plate (10^t - 1)/9, or log10(1 + 1000 t)/log10(1001)."),
   };
   return keys;
 }
@@ -68,7 +87,7 @@ const Keys<ThicknessDescription>& thicknessKeys()
 {
   using T = ThicknessDescription;
   static const Keys<T> keys = {
-    choiceKey<T>("model", &T::model, { "Gaussian", "Tapered", "Flared", "Hydrostatic" },
+    choiceKey<T>("model", &T::model, { "Gaussian", "Tapered", "Flared", "Hydrostatic", "Rings" },
       "How a seed becomes a cloud of children."),
     choiceKey<T>("law", &T::law, { "Gaussian", "Sech2", "Exponential", "Lorentzian", "Box" },
       "Vertical density law of Tapered, Flared and Hydrostatic.", 1),

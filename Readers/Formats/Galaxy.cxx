@@ -1,5 +1,8 @@
 #include "Readers/Formats/Galaxy.h"
 
+#include "Readers/Formats/BadPixels.h"
+#include "Readers/Formats/Brightness.h"
+
 namespace galaxy
 {
 Galaxy readGalaxy(const std::string& file)
@@ -9,7 +12,14 @@ Galaxy readGalaxy(const std::string& file)
   galaxy.rings = readRings(galaxy.description);
   for (const ImageDescription& image : galaxy.description.images)
   {
+    if (!image.combine.empty())
+    {
+      galaxy.images.emplace_back();
+      continue;
+    }
     galaxy.images.push_back(readFitsImage(besideFile(file, image.file), image.selection));
+    markBadPixels(image, file, galaxy.images.back());
+    convertBrightness(image, galaxy.images.back());
   }
   return galaxy;
 }

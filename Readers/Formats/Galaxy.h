@@ -15,7 +15,9 @@ struct Galaxy
 {
   GalaxyDescription description;
   RingTable rings;
-  std::vector<Image> images; ///< in the order of the description's
+  /// In the order of the description's; one that is combined of others stays empty, for the
+  /// builder.
+  std::vector<Image> images;
 };
 
 /// Reads a .galaxy file with its rings and images. Throws Error naming the file at fault.

@@ -91,7 +91,9 @@ RingTable readRings(const GalaxyDescription& galaxy)
 {
   if (!galaxy.rings.empty())
   {
-    return readRingTable(besideFile(galaxy.file, galaxy.rings));
+    RingOptions options = galaxy.ringOptions;
+    options.distance = galaxy.distance;
+    return readRingTable(besideFile(galaxy.file, galaxy.rings), options);
   }
   Ring centre;
   centre.rotationVelocity = galaxy.rotationVelocity;

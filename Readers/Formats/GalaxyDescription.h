@@ -36,6 +36,7 @@ enum class IntensityStretch
   Sqrt,
   Asinh,
   Density, ///< of photographic plates, the logarithm of light
+  Log,
 };
 enum class ComponentType
 {
@@ -58,6 +59,7 @@ enum class ThicknessModel
   Tapered,     ///< paper's model 2
   Flared,      ///< paper's model 3
   Hydrostatic, ///< vertical equilibrium of gas in the disc's and halo's gravity
+  Rings,       ///< the rings' own scale height and law
 };
 enum class DustModel
 {
@@ -65,7 +67,14 @@ enum class DustModel
   DiskRotation, ///< paper's dust model 2: follows the rotation
 };
 
-/// [image.NAME]: a FITS image of the galaxy.
+enum class BrightnessConversion
+{
+  None,
+  SurfaceBrightness, ///< per arcsec^2
+  ColumnDensity,     ///< H I atoms per cm^2
+};
+
+/// [image.NAME]: a FITS image of the galaxy, or one that is made of others.
 struct ImageDescription
 {
   std::string name;
@@ -73,9 +82,17 @@ struct ImageDescription
   FitsSelection selection;
   bool suppliesCoordinates = false; ///< true where pixel_scale is given
   SuppliedCoordinates coordinates;  ///< in place of the header's WCS
-  bool automaticBackground = false; ///< background = "Auto": sigma-clipped median of the border
+  bool automaticBackground = false; ///< background = "Auto": found in the border
   double background = 0;            ///< subtracted, in the image's unit
   double maskStarsAbove = std::numeric_limits<double>::infinity(); ///< see mask_stars_above
+  std::string mask;    ///< FITS file of bad pixels, relative; empty: none
+  std::string regions; ///< DS9 or CASA file of bad regions, relative; empty: none
+  double beam = 0;     ///< resolution (FWHM), arcsec; 0: the header's
+  std::string unit;    ///< in place of the header's BUNIT; empty: the header's
+  BrightnessConversion convert = BrightnessConversion::None; ///< of the values, when read
+  std::vector<std::string> combine; ///< images that this is made of, sharpest first; then no file
+  /// What counts as signal in the sharper images, in the first one's unit; NaN: "Auto"
+  double signalAbove = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One entry of a component's `layers`: an image, how its values become intensities, its colour.
@@ -86,7 +103,9 @@ struct LayerDescription
   double weight = 1;
   bool clips = false;                    ///< false: from the image's own minimum 0 and maximum
   std::array<double, 2> clip = { 0, 1 }; ///< values that become intensity 0 and 1
-  double threshold = 0;                  ///< I_t: seeds of lower intensity are culled
+  bool clipsByPercentile = false;        ///< in place of clip; never both
+  std::array<double, 2> clipPercentile = { 0, 100 }; ///< of the valid pixels
+  double threshold = 0;                              ///< I_t: seeds of lower intensity are culled
   IntensityStretch stretch = IntensityStretch::Linear;
 };
 
@@ -165,8 +184,9 @@ struct GalaxyDescription
   std::string text; ///< what it was parsed from
   std::string name;
   SkyPosition centre;
-  double distance = 0; ///< Mpc
-  std::string rings;   ///< file, relative to the .galaxy file; empty: the flat disc below
+  double distance = 0;     ///< Mpc
+  std::string rings;       ///< file, relative to the .galaxy file; empty: the flat disc below
+  RingOptions ringOptions; ///< of that file; the distance is the galaxy's
   double inclination = 0;
   double positionAngle = 0;
   double rotationVelocity = 100; ///< km/s

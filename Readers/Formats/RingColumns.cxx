@@ -1,124 +1,48 @@
 #include "Readers/Formats/Error.h"
+#include "Readers/Formats/RingHeading.h"
 #include "Readers/Formats/RingText.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <cmath>
+#include <limits>
 
 namespace galaxy
 {
 namespace
 {
-/// One quantity of a ring: the headings it goes by, in small letters without dots.
-struct Quantity
-{
-  const char* symbol;
-  double Ring::*member;
-  bool required;
-  std::vector<std::string> names;
-};
-
-const std::vector<Quantity>& quantities()
-{
-  static const std::vector<Quantity> all = {
-    { "r", &Ring::radius, true, { "r", "rad", "radi", "radius" } },
-    { "vrot", &Ring::rotationVelocity, true, { "vrot", "rotation_velocity", "rotationvelocity" } },
-    { "Z0", &Ring::scaleHeight, false, { "z0", "scale_height", "scaleheight" } },
-    { "i", &Ring::inclination, true, { "i", "inc", "incl", "inclination" } },
-    { "PA", &Ring::positionAngle, true, { "pa", "position_angle", "positionangle" } },
-    { "SBR", &Ring::surfaceBrightness, false, { "sbr", "surface_brightness" } },
-    { "vrad", &Ring::expansionVelocity, false, { "vrad", "expansion_velocity" } },
-    { "vsys", &Ring::systemicVelocity, false, { "vsys", "systemic_velocity" } },
-  };
-  return all;
-}
-
-struct Column
+/// A column that becomes a quantity of the rings.
+struct QuantityColumn
 {
   std::size_t index;
   const Quantity* quantity;
+  double factor;
+};
+
+/// A column that is kept by its name.
+struct ExtraColumn
+{
+  std::size_t index;
+  std::string name;
+  std::string unit;
 };
 
 /// Which column holds what.
 struct Layout
 {
   RingCode code = RingCode::Plain;
+  LayerLaw law = LayerLaw::Sech2;
   std::size_t count = 0; // columns a row has at least
   bool exact = false;    // and at most
   std::string expected;  // for messages
-  std::vector<Column> columns;
+  std::vector<QuantityColumn> quantities;
+  std::vector<ExtraColumn> extras;
 };
 
-Layout plainLayout()
-{
-  const std::vector<Quantity>& all = quantities();
-  return { RingCode::Plain, 5, true, "5 columns (r vrot Z0 i PA)",
-    { { 0, &all[0] }, { 1, &all[1] }, { 2, &all[2] }, { 3, &all[3] }, { 4, &all[4] } } };
-}
-
-Layout rotcurLayout()
-{
-  const std::vector<Quantity>& all = quantities();
-  return { RingCode::Rotcur, 11, false, "a ROTCUR row of at least 11 columns",
-    { { 0, &all[0] }, { 2, &all[7] }, { 4, &all[1] }, { 6, &all[6] }, { 8, &all[4] },
-      { 10, &all[3] } } };
-}
-
-std::string lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-/// A heading cell without dots and unit; empty where the unit is a length other than arcsec.
-std::string headingName(const std::string& cell)
-{
-  std::string name = lower(cell);
-  const std::size_t unit = name.find_first_of("([");
-  if (unit != std::string::npos)
-  {
-    const std::string inside = name.substr(unit + 1);
-    if (inside.find("pc") != std::string::npos)
-    {
-      return "";
-    }
-    name.resize(unit);
-  }
-  name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '.' || c == '"'; }),
-    name.end());
-  return name;
-}
-
-/// The layout that a heading of as many cells as the rows have names; false where it is no heading.
-bool headingLayout(const std::vector<std::string>& cells, Layout& layout)
-{
-  Layout named;
-  named.count = cells.size();
-  named.expected = std::to_string(cells.size()) + " columns, as the heading has";
-  for (const Quantity& quantity : quantities())
-  {
-    const auto& names = quantity.names;
-    const auto at = std::find_if(cells.begin(), cells.end(), [&](const std::string& cell) {
-      return std::find(names.begin(), names.end(), headingName(cell)) != names.end();
-    });
-    if (at != cells.end())
-    {
-      named.columns.push_back({ static_cast<std::size_t>(at - cells.begin()), &quantity });
-    }
-    else if (quantity.required)
-    {
-      return false;
-    }
-  }
-  layout = named;
-  return true;
-}
-
-/// The text of a line in front of its comment, and the comment.
+/// A line's cells in front of its comment, and the comment.
 struct Line
 {
   int number;
+  std::string text;
   std::vector<std::string> cells;
   std::string comment;
 };
@@ -127,8 +51,9 @@ Line splitComment(const TextLine& line)
 {
   const std::size_t mark = std::min(line.text.find_first_of("#!"), line.text.size());
   const std::size_t comment = line.text.find_first_not_of("#! \t", mark);
-  return { line.number, splitCells(line.text.substr(0, mark)),
-    comment == std::string::npos ? "" : line.text.substr(comment) };
+  const std::string text = trimmed(line.text.substr(0, mark));
+  return { line.number, text, splitRow(text),
+    comment == std::string::npos ? "" : trimmed(line.text.substr(comment)) };
 }
 
 bool isNumber(const std::string& cell)
@@ -137,38 +62,205 @@ bool isNumber(const std::string& cell)
   return parseNumber(cell, ignored);
 }
 
-/// Finds the layout from comments and headings, which it takes out of the lines.
-Layout recogniseLayout(std::vector<Line>& lines)
+/// The rows of numbers, and what stands in front of the first.
+struct Table
 {
-  const auto isRow = [](const Line& line) { return !line.cells.empty(); };
-  auto row = std::find_if(lines.begin(), lines.end(), isRow);
-  Layout layout = plainLayout();
-  if (row == lines.end())
+  std::string file;
+  std::vector<Line> head;
+  std::vector<Line> rows;
+};
+
+Table splitTable(const std::vector<TextLine>& text, const std::string& file)
+{
+  Table table;
+  table.file = file;
+  for (const TextLine& textLine : text)
   {
-    return layout;
-  }
-  if (std::none_of(row->cells.begin(), row->cells.end(), isNumber) &&
-    headingLayout(row->cells, layout))
-  {
-    lines.erase(lines.begin(), row + 1);
-    return layout;
-  }
-  for (auto line = lines.begin(); line != row; ++line)
-  {
-    const std::vector<std::string> heading = splitCells(line->comment);
-    if (!heading.empty() && heading[0] == "ROTCUR")
+    const Line line = splitComment(textLine);
+    const bool isRow = !table.rows.empty()
+      ? !line.cells.empty()
+      : std::any_of(line.cells.begin(), line.cells.end(), isNumber);
+    if (isRow)
     {
-      return rotcurLayout();
+      table.rows.push_back(line);
     }
-    if (heading.size() == row->cells.size() && headingLayout(heading, layout))
+    else if (table.rows.empty())
     {
-      // 3DBarolo's way to write the unit; its model is GIPSY's GALMOD.
-      const bool barolo = std::find(heading.begin(), heading.end(), "VROT(km/s)") != heading.end();
-      layout.code = barolo ? RingCode::Rotcur : RingCode::Plain;
-      return layout;
+      table.head.push_back(line);
     }
+  }
+  return table;
+}
+
+Layout plainLayout()
+{
+  const std::vector<Quantity>& all = ringQuantities();
+  Layout layout;
+  layout.count = 5;
+  layout.exact = true;
+  layout.expected = "5 columns (r vrot Z0 i PA)";
+  for (std::size_t k = 0; k < layout.count; ++k)
+  {
+    layout.quantities.push_back({ k, &all[k], 1 });
   }
   return layout;
+}
+
+/// ROTCUR's columns always stand in the same order; the line of units in brackets tells the
+/// radius'.
+Layout rotcurLayout(const Table& table, const RingOptions& options)
+{
+  double radius = 1;
+  std::string unit = "arcsec";
+  for (const Line& line : table.head)
+  {
+    const std::string& text = line.comment.empty() ? line.text : line.comment;
+    if (!text.empty() && text[0] == '(')
+    {
+      unit = text.substr(1, text.find(')') - 1);
+      radius = unitFactor(Dimension::Length, unit, options, table.file, "radius");
+      break;
+    }
+  }
+  const std::vector<Quantity>& all = ringQuantities();
+  Layout layout;
+  layout.code = RingCode::Rotcur;
+  layout.count = 11;
+  layout.expected = "a ROTCUR row of at least 11 columns";
+  layout.quantities = { { 0, &all[0], radius }, { 2, &all[7], 1 }, { 4, &all[1], 1 },
+    { 6, &all[6], 1 }, { 8, &all[4], 1 }, { 10, &all[3], 1 } };
+  layout.extras = { { 1, "WIDTH", unit }, { 3, "E_VSYS", "km/s" }, { 5, "E_VROT", "km/s" },
+    { 7, "E_VEXP", "km/s" }, { 9, "E_PA", "deg" }, { 11, "E_INC", "deg" }, { 12, "XPOS", "grid" },
+    { 13, "E_XPOS", "grid" }, { 14, "YPOS", "grid" }, { 15, "E_YPOS", "grid" }, { 16, "NPTS", "" },
+    { 17, "SIGMA", "km/s" } };
+  return layout;
+}
+
+/// True where the line is of ROTCUR's heading, commented out or not.
+bool isRotcurHeading(const Line& line)
+{
+  const std::vector<std::string> words =
+    splitCells(lowered(line.comment.empty() ? line.text : line.comment));
+  return !words.empty() &&
+    (words[0] == "rotcur" ||
+      (words.size() > 2 && words[0] == "radius" && words[1] == "width" && words[2] == "systemic"));
+}
+
+/// The heading that stands for a quantity: an angular length rather than one that was derived from
+/// it by the program's own distance; null where none does.
+const Heading* headingOf(const Quantity& quantity, const std::vector<Heading>& headings)
+{
+  const Heading* best = nullptr;
+  for (const Heading& heading : headings)
+  {
+    if (heading.quantity == &quantity &&
+      (best == nullptr ||
+        (quantity.dimension == Dimension::Length && !isAngularLength(best->unit) &&
+          isAngularLength(heading.unit))))
+    {
+      best = &heading;
+    }
+  }
+  return best;
+}
+
+/// The headings of a line, units from an ECSV header where they have none.
+std::vector<Heading> headingsOf(
+  const std::string& text, const std::map<std::string, std::string>& units)
+{
+  std::vector<Heading> headings;
+  for (const std::string& cell : splitHeadings(text))
+  {
+    Heading heading = parseHeading(cell);
+    const auto unit = units.find(heading.name);
+    if (heading.unit.empty() && unit != units.end())
+    {
+      heading.unit = unit->second;
+    }
+    headings.push_back(heading);
+  }
+  return headings;
+}
+
+/// The quantity that the headings must name and do not; null where all are there.
+const Quantity* missingQuantity(const std::vector<Heading>& headings)
+{
+  for (const Quantity& quantity : ringQuantities())
+  {
+    if (quantity.required && headingOf(quantity, headings) == nullptr)
+    {
+      return &quantity;
+    }
+  }
+  return nullptr;
+}
+
+Layout namedLayout(
+  const std::vector<Heading>& headings, const RingOptions& options, const std::string& file)
+{
+  Layout layout;
+  layout.count = headings.size();
+  layout.exact = true;
+  layout.expected = std::to_string(headings.size()) + " columns, as the heading has";
+  for (const Heading& heading : headings)
+  {
+    const auto index = static_cast<std::size_t>(&heading - headings.data());
+    const Quantity* quantity = heading.quantity;
+    if (quantity != nullptr && headingOf(*quantity, headings) == &heading)
+    {
+      layout.quantities.push_back({ index, quantity,
+        unitFactor(
+          quantity->dimension, heading.unit, options, file, "column '" + heading.text + "'") });
+    }
+    else
+    {
+      layout.extras.push_back(
+        { index, quantity != nullptr ? heading.text : heading.name, heading.unit });
+    }
+  }
+  const auto has = [&](const char* text) {
+    return std::any_of(headings.begin(), headings.end(),
+      [&](const Heading& heading) { return heading.text == text; });
+  };
+  // 3DBarolo writes its units like this; its model is GIPSY's GALMOD, its layers Gaussian at first.
+  if (has("VROT(km/s)") && has("P.A.(deg)"))
+  {
+    layout.code = RingCode::Rotcur;
+    layout.law = LayerLaw::Gaussian;
+  }
+  return layout;
+}
+
+/// The layout that the lines in front of the rows tell.
+Layout recogniseLayout(const Table& table, const RingOptions& options)
+{
+  if (std::any_of(table.head.begin(), table.head.end(), isRotcurHeading))
+  {
+    return rotcurLayout(table, options);
+  }
+  std::vector<std::string> comments;
+  for (const Line& line : table.head)
+  {
+    comments.push_back(line.comment);
+  }
+  const auto units = ecsvUnits(comments);
+  const std::size_t columns = table.rows.empty() ? 0 : table.rows[0].cells.size();
+  for (auto line = table.head.rbegin(); line != table.head.rend(); ++line)
+  {
+    const bool commented = line->cells.empty();
+    const std::vector<Heading> headings = headingsOf(commented ? line->comment : line->text, units);
+    const Quantity* missing = missingQuantity(headings);
+    if (!commented && missing != nullptr)
+    {
+      throw Error(table.file, "line " + std::to_string(line->number),
+        std::string("the heading names no column ") + missing->symbol);
+    }
+    if (missing == nullptr && (!commented || headings.size() == columns))
+    {
+      return namedLayout(headings, options, table.file);
+    }
+  }
+  return plainLayout();
 }
 
 Ring parseRow(const Line& line, const Layout& layout, const std::string& file)
@@ -182,40 +274,56 @@ Ring parseRow(const Line& line, const Layout& layout, const std::string& file)
         ", expected " + layout.expected);
   }
   Ring ring;
-  for (const auto& [index, quantity] : layout.columns)
+  for (const auto& [index, quantity, factor] : layout.quantities)
   {
-    if (!parseNumber(line.cells[index], ring.*(quantity->member)))
+    double number;
+    if (!parseNumber(line.cells[index], number))
     {
       throw Error(file, where,
         "column " + std::to_string(index + 1) + " (" + quantity->symbol +
           ") is not a finite number: '" + line.cells[index] + "'");
     }
+    ring.*(quantity->member) = factor * number;
   }
   return ring;
 }
+
+/// A further column; without values where none of its cells is a number.
+RingColumn readExtra(const ExtraColumn& extra, const std::vector<Line>& rows)
+{
+  RingColumn column{ extra.name, extra.unit, {} };
+  bool any = false;
+  for (const Line& row : rows)
+  {
+    double number;
+    const bool is = extra.index < row.cells.size() && parseNumber(row.cells[extra.index], number);
+    column.values.push_back(is ? number : std::numeric_limits<double>::quiet_NaN());
+    any = any || is;
+  }
+  return any ? column : RingColumn{};
+}
 } // namespace
 
-RingTable parseRingColumns(const std::vector<TextLine>& text, const std::string& file)
+RingTable parseRingColumns(
+  const std::vector<TextLine>& text, const std::string& file, const RingOptions& options)
 {
-  std::vector<Line> lines;
-  for (const TextLine& line : text)
-  {
-    lines.push_back(splitComment(line));
-  }
-  const Layout layout = recogniseLayout(lines);
+  const Table rows = splitTable(text, file);
+  const Layout layout = recogniseLayout(rows, options);
   RingTable table;
   table.file = file;
   table.code = layout.code;
-  for (const Line& line : lines)
+  table.layerLaw = layout.law;
+  for (const Line& line : rows.rows)
   {
-    if (line.cells.empty())
+    addRing(table, parseRow(line, layout, file), "line " + std::to_string(line.number));
+  }
+  for (const ExtraColumn& extra : layout.extras)
+  {
+    RingColumn column = readExtra(extra, rows.rows);
+    if (!column.values.empty())
     {
-      continue;
+      table.columns.push_back(std::move(column));
     }
-    const Ring ring = parseRow(line, layout, file);
-    checkRing(ring, table.rings.empty() ? nullptr : &table.rings.back(), file,
-      "line " + std::to_string(line.number));
-    table.rings.push_back(ring);
   }
   return table;
 }

@@ -28,7 +28,8 @@ inline RingPlane ringPlane(double i, double positionAngle, double s)
 }
 
 /// The spin that a table of `code` stands for: TiRiFiC draws its discs counter-clockwise, GIPSY's
-/// velocity signs imply clockwise; a plain table is taken as TiRiFiC's.
+/// velocity signs imply clockwise, and so are 3DBarolo's and DiskFit's taken; a plain table is
+/// taken as TiRiFiC's.
 inline double spinOf(RingCode code, SpinSense sense)
 {
   if (sense == SpinSense::FromCode)

@@ -5,11 +5,36 @@
 #include "Readers/Formats/RingText.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
 namespace galaxy
 {
+namespace
+{
+/// Folds each angle to within half a turn of the one before.
+void unwrap(std::vector<Ring>& rings, double Ring::*angle)
+{
+  for (std::size_t k = 1; k < rings.size(); ++k)
+  {
+    const double turns = (rings[k].*angle - rings[k - 1].*angle) / 360;
+    rings[k].*angle -= 360 * std::rint(turns);
+  }
+}
+
+RingTable parse(
+  const std::vector<TextLine>& lines, const std::string& file, const RingOptions& options)
+{
+  if (isDiskFit(lines))
+  {
+    return parseDiskFit(lines, file, options);
+  }
+  return isTirific(lines) ? parseTirific(lines, file, options)
+                          : parseRingColumns(lines, file, options);
+}
+} // namespace
+
 std::vector<TextLine> splitLines(const std::string& text)
 {
   std::vector<TextLine> lines;
@@ -38,6 +63,20 @@ std::vector<std::string> splitCells(const std::string& text)
   return cells;
 }
 
+std::string trimmed(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+std::string lowered(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 bool parseNumber(std::string cell, double& number)
 {
   std::replace_if(
@@ -55,34 +94,66 @@ bool parseNumber(std::string cell, double& number)
 void checkRing(
   const Ring& ring, const Ring* before, const std::string& file, const std::string& where)
 {
+  constexpr double halfSky = 180 * 3600;
+  constexpr double lightSpeed = 299792.458;
+  const auto fail = [&](const char* what) { throw Error(file, where, what); };
   if (ring.radius < 0)
   {
-    throw Error(file, where, "the radius is negative");
+    fail("the radius is negative");
   }
   if (before != nullptr && ring.radius < before->radius)
   {
-    throw Error(file, where, "the radius is smaller than that of the ring before");
+    fail("the radius is smaller than that of the ring before");
   }
   if (ring.scaleHeight < 0)
   {
-    throw Error(file, where, "the scale height is negative");
+    fail("the scale height is negative");
+  }
+  if (!(ring.radius <= halfSky && ring.scaleHeight <= halfSky))
+  {
+    fail("the ring is larger than the sky");
+  }
+  for (const double velocity : { ring.rotationVelocity, ring.expansionVelocity })
+  {
+    if (!(std::abs(velocity) <= lightSpeed))
+    {
+      fail("a velocity is greater than that of light");
+    }
+  }
+  for (const double angle : { ring.inclination, ring.positionAngle })
+  {
+    if (!(std::abs(angle) <= 3600))
+    {
+      fail("an angle is more than ten turns");
+    }
   }
 }
 
-RingTable parseRingTable(const std::string& text, const std::string& file)
+void addRing(RingTable& table, const Ring& ring, const std::string& where)
 {
-  const std::vector<TextLine> lines = splitLines(text);
-  const RingTable table =
-    isTirific(lines) ? parseTirific(lines, file) : parseRingColumns(lines, file);
+  checkRing(ring, table.rings.empty() ? nullptr : &table.rings.back(), table.file, where);
+  table.rings.push_back(ring);
+}
+
+RingTable parseRingTable(
+  const std::string& text, const std::string& file, const RingOptions& options)
+{
+  RingTable table = parse(splitLines(text), file, options);
   if (table.rings.empty())
   {
     throw Error(file, "", "holds no rings");
   }
+  unwrap(table.rings, &Ring::positionAngle);
+  unwrap(table.rings, &Ring::inclination);
+  if (options.layerLaw != LayerLaw::FromFile)
+  {
+    table.layerLaw = options.layerLaw;
+  }
   return table;
 }
 
-RingTable readRingTable(const std::string& file)
+RingTable readRingTable(const std::string& file, const RingOptions& options)
 {
-  return parseRingTable(readText(file), file);
+  return parseRingTable(readText(file), file, options);
 }
 } // namespace galaxy

@@ -1,131 +1,20 @@
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingText.h"
+#include "Readers/Formats/TirificKeywords.h"
 
 #include <algorithm>
-#include <cctype>
-#include <map>
+#include <cmath>
 
 namespace galaxy
 {
 namespace
 {
-/// The cells behind a keyword's equals sign, and its line.
-struct Values
-{
-  int line = 0;
-  std::vector<std::string> cells;
-};
-
-/// True where the line reads KEYWORD= cells.
-bool splitKeyword(const std::string& line, std::string& keyword, Values& values)
-{
-  const std::size_t equals = line.find('=');
-  if (equals == std::string::npos)
-  {
-    return false;
-  }
-  const std::vector<std::string> words = splitCells(line.substr(0, equals));
-  if (words.size() != 1 || !std::all_of(words[0].begin(), words[0].end(), [](unsigned char c) {
-        return std::isalnum(c) || c == '_';
-      }))
-  {
-    return false;
-  }
-  keyword = words[0];
-  std::transform(keyword.begin(), keyword.end(), keyword.begin(),
-    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  values.cells = splitCells(line.substr(equals + 1));
-  return true;
-}
-
-std::string beforeComment(const std::string& line)
-{
-  return line.substr(0, line.find('#'));
-}
-
-/// The keywords of a .def file and what they say about the first disk.
-class Keywords
-{
-public:
-  Keywords(const std::vector<TextLine>& lines, const std::string& file)
-    : file(file)
-  {
-    for (const TextLine& line : lines)
-    {
-      const std::string text = beforeComment(line.text);
-      std::string keyword;
-      Values values{ line.number, {} };
-      if (splitKeyword(text, keyword, values))
-      {
-        this->all[keyword] = values;
-      }
-      else if (!splitCells(text).empty())
-      {
-        throw Error(file, "line " + std::to_string(line.number),
-          "neither KEYWORD= values nor a comment: '" + text.substr(0, 40) + "'");
-      }
-    }
-  }
-
-  /// All numbers of a keyword; empty where the keyword is absent or has no value.
-  std::vector<double> numbers(const std::string& keyword) const
-  {
-    std::vector<double> numbers;
-    const auto found = this->all.find(keyword);
-    if (found == this->all.end())
-    {
-      return numbers;
-    }
-    for (const std::string& cell : found->second.cells)
-    {
-      double number;
-      if (!parseNumber(cell, number))
-      {
-        throw Error(this->file, this->where(keyword),
-          "value " + std::to_string(numbers.size() + 1) + " is not a finite number: '" + cell +
-            "'");
-      }
-      numbers.push_back(number);
-    }
-    return numbers;
-  }
-
-  /// A number that must be whole and within [lowest, highest]; `absent` where there is none.
-  int whole(const std::string& keyword, int lowest, int highest, int absent) const
-  {
-    const std::vector<double> values = this->numbers(keyword);
-    if (values.empty())
-    {
-      return absent;
-    }
-    if (!(values[0] >= lowest && values[0] <= highest) || values[0] != static_cast<int>(values[0]))
-    {
-      throw Error(this->file, this->where(keyword),
-        "must be a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
-    }
-    return static_cast<int>(values[0]);
-  }
-
-  /// "line 12: VROT", or the keyword alone where the file lacks it.
-  std::string where(const std::string& keyword) const
-  {
-    const auto found = this->all.find(keyword);
-    return found == this->all.end() ? keyword
-                                    : "line " + std::to_string(found->second.line) + ": " + keyword;
-  }
-
-private:
-  std::string file;
-  std::map<std::string, Values> all;
-};
-
 struct Parameter
 {
   const char* keyword;
   double Ring::*member;
   bool required;
 };
-
 constexpr Parameter parameters[] = {
   { "VROT", &Ring::rotationVelocity, true },
   { "Z0", &Ring::scaleHeight, false },
@@ -136,7 +25,46 @@ constexpr Parameter parameters[] = {
   { "VSYS", &Ring::systemicVelocity, false },
 };
 
-std::vector<Ring> ringsAtRadii(const Keywords& keywords, const std::string& file)
+/// What else a ring has that is worth a column.
+struct FurtherParameter
+{
+  const char* keyword;
+  const char* unit;
+};
+constexpr FurtherParameter furtherParameters[] = {
+  { "SDIS", "km/s" },
+  { "XPOS", "deg" },
+  { "YPOS", "deg" },
+  { "DVRO", "km/s/arcsec" },
+  { "ZDRO", "arcsec" },
+  { "VVER", "km/s" },
+};
+/// Those that FAT leaves errors of, in comments.
+constexpr FurtherParameter errors[] = {
+  { "VROT", "km/s" },
+  { "Z0", "arcsec" },
+  { "SBR", "Jy km/s/arcsec^2" },
+  { "INCL", "deg" },
+  { "PA", "deg" },
+  { "VSYS", "km/s" },
+  { "SDIS", "km/s" },
+  { "XPOS", "deg" },
+  { "YPOS", "deg" },
+};
+
+/// The keyword of a disk: VROT, VROT_2, ...
+std::string ofDisk(const std::string& keyword, int disk)
+{
+  return disk == 1 ? keyword : keyword + "_" + std::to_string(disk);
+}
+
+/// Of a list that may be shorter than the rings, the last holds.
+double held(const std::vector<double>& values, std::size_t index)
+{
+  return values[std::min(index, values.size() - 1)];
+}
+
+std::vector<Ring> ringsAtRadii(const TirificKeywords& keywords, const std::string& file)
 {
   const std::vector<double> radii = keywords.numbers("RADI");
   if (radii.empty())
@@ -157,38 +85,51 @@ std::vector<Ring> ringsAtRadii(const Keywords& keywords, const std::string& file
   }
   return rings;
 }
-} // namespace
 
-bool isTirific(const std::vector<TextLine>& lines)
+void addColumn(
+  RingTable& table, const std::string& name, const char* unit, const std::vector<double>& values)
 {
-  std::string keyword;
-  Values values;
-  return std::any_of(lines.begin(), lines.end(), [&](const TextLine& line) {
-    const std::string text = beforeComment(line.text);
-    return text.find('!') == std::string::npos && splitKeyword(text, keyword, values);
-  });
+  if (!values.empty())
+  {
+    RingColumn column{ name, unit, {} };
+    for (std::size_t i = 0; i < table.rings.size(); ++i)
+    {
+      column.values.push_back(held(values, i));
+    }
+    table.columns.push_back(std::move(column));
+  }
 }
 
-RingTable parseTirific(const std::vector<TextLine>& lines, const std::string& file)
+RingTable readDisk(const TirificKeywords& keywords, int disk, const std::string& file)
 {
-  const Keywords keywords(lines, file);
   RingTable table;
   table.file = file;
   table.code = RingCode::Tirific;
-  table.layerLaw =
-    static_cast<LayerLaw>(keywords.whole("LTYPE", 1, 5, static_cast<int>(LayerLaw::Sech2)));
+  const int law = keywords.whole("LTYPE", 1, 5, static_cast<int>(LayerLaw::Sech2));
+  table.layerLaw = static_cast<LayerLaw>(keywords.whole(ofDisk("LTYPE", disk), 1, 5, law));
   table.rings = ringsAtRadii(keywords, file);
   for (const Parameter& parameter : parameters)
   {
-    const std::vector<double> values = keywords.numbers(parameter.keyword);
+    const std::string keyword = ofDisk(parameter.keyword, disk);
+    const std::vector<double> values = keywords.numbers(keyword);
     if (values.empty() && parameter.required)
     {
-      throw Error(file, keywords.where(parameter.keyword), "missing, or without a value");
+      throw Error(file, keywords.where(keyword), "missing, or without a value");
     }
     for (std::size_t i = 0; i < table.rings.size() && !values.empty(); ++i)
     {
-      table.rings[i].*parameter.member = values[std::min(i, values.size() - 1)];
+      table.rings[i].*parameter.member = held(values, i);
     }
+  }
+  for (const FurtherParameter& parameter : furtherParameters)
+  {
+    addColumn(
+      table, parameter.keyword, parameter.unit, keywords.numbers(ofDisk(parameter.keyword, disk)));
+  }
+  for (const FurtherParameter& parameter : errors)
+  {
+    addColumn(table, std::string(parameter.keyword) + "_ERR", parameter.unit,
+      keywords.commentedNumbers(ofDisk(parameter.keyword, disk) + "_ERR"));
   }
   const Ring* before = nullptr;
   for (const Ring& ring : table.rings)
@@ -197,6 +138,93 @@ RingTable parseTirific(const std::vector<TextLine>& lines, const std::string& fi
       keywords.where("RADI") + ", ring " + std::to_string(1 + (&ring - table.rings.data())));
     before = &ring;
   }
+  return table;
+}
+
+/// True where two disks are halves of one: both 180 degrees wide, centred 180 degrees apart.
+bool areHalves(const TirificKeywords& keywords, int first, int second)
+{
+  const auto values = [&](const char* keyword, int disk, double absent) {
+    const std::vector<double> numbers = keywords.numbers(ofDisk(keyword, disk));
+    return numbers.empty() ? std::vector<double>{ absent } : numbers;
+  };
+  const auto widths = values("AZ1W", first, 360), otherWidths = values("AZ1W", second, 360);
+  const auto centres = values("AZ1P", first, 0), otherCentres = values("AZ1P", second, 0);
+  const auto isHalf = [](double width) { return width == 180; };
+  bool opposite = true;
+  for (std::size_t i = 0; i < std::max(centres.size(), otherCentres.size()); ++i)
+  {
+    opposite =
+      opposite && std::abs(std::remainder(held(centres, i) - held(otherCentres, i), 360)) == 180;
+  }
+  return opposite && std::all_of(widths.begin(), widths.end(), isHalf) &&
+    std::all_of(otherWidths.begin(), otherWidths.end(), isHalf);
+}
+
+/// The disk that is the other half of `disk`.
+int otherHalf(const TirificKeywords& keywords, int disk, int disks, const std::string& file)
+{
+  for (int other = 1; other <= disks; ++other)
+  {
+    if (other != disk && areHalves(keywords, disk, other))
+    {
+      return other;
+    }
+  }
+  throw Error(file, keywords.where(ofDisk("AZ1W", disk)),
+    "no disk is the other half of disk " + std::to_string(disk) + ": it has no second side");
+}
+
+/// Moves every value half way to the other side's, angles by the shorter way.
+void average(RingTable& table, const RingTable& other)
+{
+  for (std::size_t i = 0; i < table.rings.size(); ++i)
+  {
+    for (const Parameter& parameter : parameters)
+    {
+      double& value = table.rings[i].*parameter.member;
+      const double step = other.rings[i].*parameter.member - value;
+      const bool turns =
+        parameter.member == &Ring::positionAngle || parameter.member == &Ring::inclination;
+      value += (turns ? std::remainder(step, 360) : step) / 2;
+    }
+  }
+  for (RingColumn& column : table.columns)
+  {
+    for (const RingColumn& same : other.columns)
+    {
+      for (std::size_t i = 0; same.name == column.name && i < column.values.size(); ++i)
+      {
+        column.values[i] += (same.values[i] - column.values[i]) / 2;
+      }
+    }
+  }
+}
+} // namespace
+
+RingTable parseTirific(
+  const std::vector<TextLine>& lines, const std::string& file, const RingOptions& options)
+{
+  const TirificKeywords keywords(lines, file);
+  constexpr int mostDisks = 1000;
+  const int disks = keywords.whole("NDISKS", 1, mostDisks, 1);
+  if (options.disk < 1 || options.disk > disks)
+  {
+    throw Error(file, keywords.where("NDISKS"),
+      "there is no disk " + std::to_string(options.disk) + " among " + std::to_string(disks));
+  }
+  if (options.sides == RingSides::First)
+  {
+    return readDisk(keywords, options.disk, file);
+  }
+  const int other = otherHalf(keywords, options.disk, disks, file);
+  RingTable second = readDisk(keywords, other, file);
+  if (options.sides == RingSides::Second)
+  {
+    return second;
+  }
+  RingTable table = readDisk(keywords, options.disk, file);
+  average(table, second);
   return table;
 }
 } // namespace galaxy

@@ -1,6 +1,7 @@
 #include "Readers/Formats/WorldCoordinates.h"
 
 #include "Readers/Formats/CelestialFrame.h"
+#include "Readers/Formats/CoordinateCards.h"
 #include "Readers/Formats/Error.h"
 
 #include <wcslib/wcs.h>
@@ -10,10 +11,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <mutex>
 
 namespace galaxy
@@ -53,90 +52,99 @@ struct HeaderDescriptions
   HeaderDescriptions& operator=(const HeaderDescriptions&) = delete;
 };
 
-/// The value field of the first card with this keyword, as text; empty where there is none.
-std::string cardValue(const std::string& cards, const std::string& keyword)
-{
-  const std::string start = (keyword + "        ").substr(0, 8) + "=";
-  for (std::size_t at = 0; at + cardLength <= cards.size(); at += cardLength)
-  {
-    if (cards.compare(at, start.size(), start) == 0)
-    {
-      return cards.substr(at + start.size(), cardLength - start.size());
-    }
-  }
-  return "";
-}
+const std::string cure = "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file";
 
-/// CTYPE in capitals, as the FITS standard has it and WCSLIB insists.
-std::string withCapitalTypes(std::string cards)
-{
-  for (std::size_t at = 0; at + cardLength <= cards.size(); at += cardLength)
-  {
-    if (cards.compare(at, 5, "CTYPE") == 0)
-    {
-      const auto open = cards.begin() + at;
-      std::transform(open, open + cardLength, open,
-        [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    }
-  }
-  return cards;
-}
-
-/// The retired EPOCH keyword was used both for the equinox and for the date of the exposure. Beside
-/// EQUINOX or RADESYS it decides nothing; alone it is an equinox where it is one of those that
-/// coordinates were published for, a multiple of 25 years (1900, 1950, 1975, 2000), and otherwise a
-/// date, on a plate whose coordinates are then J2000.
-bool epochIsPlateDate(const std::string& cards)
-{
-  const std::string epoch = cardValue(cards, "EPOCH");
-  if (epoch.empty() || !cardValue(cards, "EQUINOX").empty() ||
-    !cardValue(cards, "RADESYS").empty() || !cardValue(cards, "RADECSYS").empty())
-  {
-    return false;
-  }
-  const std::size_t digit = epoch.find_first_of("0123456789");
-  const double year = digit == std::string::npos ? 0 : std::atof(epoch.c_str() + digit);
-  return std::fmod(year, 25.0) != 0;
-}
-
-CelestialFrame frameOf(const std::string& file, const wcsprm& wcs, bool plateDate)
+/// After wcsset, which fills in RADESYS and the equinox as the FITS standard has it.
+CelestialFrame frameOf(const std::string& file, const wcsprm& wcs)
 {
   const std::string longitude = wcs.lngtyp;
+  const std::string system = wcs.radesys;
   if (longitude == "GLON")
   {
     return CelestialFrame::galactic();
   }
   if (longitude == "ELON")
   {
-    return CelestialFrame::ecliptic();
+    return CelestialFrame::ecliptic(undefined(wcs.equinox) ? 2000 : wcs.equinox);
   }
   if (longitude != "RA")
   {
-    throw Error(file, "CTYPE", "the celestial frame of " + longitude + " is not supported");
+    throw Error(file, "CTYPE", "the celestial frame of " + longitude + " is not supported" + cure);
   }
-  const std::string system = wcs.radesys;
-  const bool hasEquinox = !undefined(wcs.equinox);
-  if (plateDate || system == "ICRS")
+  if (system == "ICRS")
   {
     return CelestialFrame::icrs();
   }
-  if (system == "FK4" || system == "FK4-NO-E")
+  if (system == "FK4")
   {
-    return CelestialFrame::fk4(hasEquinox ? wcs.equinox : 1950);
+    return CelestialFrame::fk4(undefined(wcs.equinox) ? 1950 : wcs.equinox);
   }
-  return CelestialFrame::fk5(hasEquinox ? wcs.equinox : 2000);
+  if (system == "FK4-NO-E")
+  {
+    return CelestialFrame::fk4WithoutETerms(undefined(wcs.equinox) ? 1950 : wcs.equinox);
+  }
+  if (system == "GAPPT")
+  {
+    throw Error(file, "RADESYS", "apparent places (GAPPT) are not supported" + cure);
+  }
+  return CelestialFrame::fk5(undefined(wcs.equinox) ? 2000 : wcs.equinox);
 }
 
-/// The image axes of a description with more than two, which must be its celestial ones.
-int keepImageAxes(const wcsprm& from, wcsprm& to)
+/// Fixes the axes that are not the image's at their first pixel: what the linear part adds for
+/// them goes into the reference pixel, so that the image's two axes stand alone.
+void fixOtherAxes(wcsprm& wcs, const std::array<int, 2>& axes)
+{
+  double* const m = (wcs.altlin & 3) == 2 ? wcs.cd : wcs.pc; // as wcsset prefers them
+  const auto at = [&](int row, int column) -> double& { return m[row * wcs.naxis + column]; };
+  const int x = axes[0] - 1, y = axes[1] - 1;
+  double shiftX = 0, shiftY = 0;
+  for (int other = 0; other < wcs.naxis; ++other)
+  {
+    if (other != x && other != y)
+    {
+      const double step = 1 - wcs.crpix[other];
+      shiftX += at(x, other) * step;
+      shiftY += at(y, other) * step;
+      at(x, other) = at(y, other) = at(other, x) = at(other, y) = 0;
+    }
+  }
+  const double determinant = at(x, x) * at(y, y) - at(x, y) * at(y, x);
+  if (determinant != 0)
+  {
+    wcs.crpix[x] -= (at(y, y) * shiftX - at(x, y) * shiftY) / determinant;
+    wcs.crpix[y] -= (at(x, x) * shiftY - at(y, x) * shiftX) / determinant;
+  }
+}
+
+/// The description of the image's two axes alone. Returns WCSLIB's status.
+int keepImageAxes(wcsprm& from, std::array<int, 2> axes, wcsprm& to)
 {
   if (from.naxis <= 2)
   {
     return wcssub(1, &from, nullptr, nullptr, &to);
   }
+  if (std::max(axes[0], axes[1]) > from.naxis)
+  {
+    return 0; // not described: no celestial axes
+  }
+  fixOtherAxes(from, axes);
   int count = 2;
-  std::array<int, 2> axes = { 1, 2 };
   return wcssub(1, &from, &count, axes.data(), &to);
+}
+
+/// Sets up a description of two axes for use. Returns WCSLIB's status.
+int setUp(wcsprm& wcs, bool epochIsNoEquinox, int width, int height)
+{
+  // An equinox of 0 is what some programs write where they know none.
+  if (epochIsNoEquinox || wcs.equinox <= 0)
+  {
+    wcs.equinox = UNDEFINED;
+  }
+  const std::array<int, 2> size = { width, height };
+  std::array<int, NWCSFIX> fixes;
+  constexpr int translateUnits = 7;
+  wcsfix(translateUnits, size.data(), &wcs, fixes.data());
+  return wcsset(&wcs);
 }
 } // namespace
 
@@ -144,33 +152,31 @@ struct WorldCoordinates::State
 {
   Description description;
   CelestialFrame frame = CelestialFrame::icrs();
+
+  void read(const std::string& file, const std::string& cards, int width, int height,
+    const std::array<int, 2>& axes);
 };
 
-WorldCoordinates::WorldCoordinates(
-  const std::string& file, const std::string& cards, int width, int height)
-  : state(std::make_unique<State>())
+void WorldCoordinates::State::read(const std::string& file, const std::string& cards, int width,
+  int height, const std::array<int, 2>& axes)
 {
   const std::lock_guard<std::mutex> lock(wcslibMutex);
-  std::string header = withCapitalTypes(cards);
+  std::string header = repairedCoordinateCards(cards);
   const HeaderDescriptions found(header);
-  wcsprm& wcs = this->state->description.wcs;
+  wcsprm& wcs = this->description.wcs;
   std::string rejection;
   for (int i = 0; i < found.count; ++i)
   {
     wcsfree(&wcs);
     wcs.flag = -1;
-    int status = keepImageAxes(found.all[i], wcs);
-    if (status == 0)
+    int status = keepImageAxes(found.all[i], axes, wcs);
+    if (status == 0 && wcs.flag != -1)
     {
-      const std::array<int, 2> size = { width, height };
-      std::array<int, NWCSFIX> fixes;
-      constexpr int translateUnits = 7;
-      wcsfix(translateUnits, size.data(), &wcs, fixes.data());
-      status = wcsset(&wcs);
+      status = setUp(wcs, epochIsPlateDate(cards), width, height);
     }
-    if (status == 0 && wcs.lng >= 0 && wcs.lat >= 0)
+    if (status == 0 && wcs.flag != -1 && wcs.lng >= 0 && wcs.lat >= 0)
     {
-      this->state->frame = frameOf(file, wcs, epochIsPlateDate(cards));
+      this->frame = frameOf(file, wcs);
       return;
     }
     if (status != 0 && rejection.empty())
@@ -178,9 +184,47 @@ WorldCoordinates::WorldCoordinates(
       rejection = std::string(" (WCSLIB: ") + wcs_errmsg[status] + ")";
     }
   }
-  throw Error(file, "CTYPE",
-    "the image axes have no usable celestial coordinates" + rejection +
-      "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file");
+  const std::string axis = "CTYPE" + std::to_string(axes[0]);
+  if (cardValue(header, axis).find("-TAB") != std::string::npos)
+  {
+    throw Error(file, axis, "tabulated coordinates (-TAB) are not supported" + cure);
+  }
+  throw Error(
+    file, "CTYPE", "the image axes have no usable celestial coordinates" + rejection + cure);
+}
+
+WorldCoordinates::WorldCoordinates(const std::string& file, const std::string& cards, int width,
+  int height, const std::array<int, 2>& axes)
+  : state(std::make_unique<State>())
+{
+  this->state->read(file, cards, width, height, axes);
+  if (hasPlateSolutionBesideAxes(cards))
+  {
+    WorldCoordinates own(file, withoutPlateSolution(cards), width, height, axes);
+    if (!this->refines(own, width, height))
+    {
+      *this = std::move(own);
+    }
+  }
+}
+
+// Axes fitted to a plate solution follow it to half a pixel. Programs that cut, bin or turn the
+// image rewrite the axes and leave the plate's keywords as they were.
+bool WorldCoordinates::refines(const WorldCoordinates& other, int width, int height) const
+{
+  constexpr double pixels = 3;
+  for (const PixelPosition& corner : { PixelPosition{ 1, 1 }, { double(width), 1 },
+         { 1, double(height) }, { double(width), double(height) } })
+  {
+    SkyPosition sky;
+    PixelPosition back;
+    if (!other.pixelToSky(corner, sky) || !this->skyToPixel(sky, back) ||
+      !(std::hypot(back.x - corner.x, back.y - corner.y) < pixels))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 WorldCoordinates::WorldCoordinates(const SuppliedCoordinates& supplied, int width, int height)

@@ -1,6 +1,7 @@
 #ifndef galaxy_WorldCoordinates_h
 #define galaxy_WorldCoordinates_h
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -31,28 +32,36 @@ struct SuppliedCoordinates
 };
 
 /// The celestial world coordinates of an image: pixel to sky and back through WCSLIB, for any
-/// projection it knows, brought to ICRS from FK5, FK4, Galactic and ecliptic axes. An equinox of
-/// 1950 without RADESYS is FK4, as the FITS standard has it; an EPOCH that is the date of a
-/// photographic plate rather than an equinox is passed over, and the header read as J2000.
+/// projection and distortion (SIP, TPV, plates) it knows, brought to ICRS from FK5, FK4,
+/// Galactic and ecliptic axes. An equinox of 1950 without RADESYS is FK4, as the FITS standard has
+/// it; an EPOCH that is the date of a photographic plate rather than an equinox is passed over, and
+/// the header read as ICRS. The plate solution of a Digitized Sky Survey image counts where it
+/// agrees with the axes that the header may have beside it.
 class WorldCoordinates
 {
 public:
-  /// From header cards (Image::cards) and the image size.
-  /// Throws Error where the two image axes are not celestial or WCSLIB rejects them; the further
-  /// axes of a cube are left out.
-  WorldCoordinates(const std::string& file, const std::string& cards, int width, int height);
+  /// From header cards (Image::cards) and the image's size; `axes` are the FITS axes, from 1, that
+  /// its x and y are. The further axes of a cube stand at their first pixel.
+  /// Throws Error where the two image axes are not celestial or WCSLIB rejects them, as it must
+  /// where they are tabulated (-TAB) in another part of the file.
+  WorldCoordinates(const std::string& file, const std::string& cards, int width, int height,
+    const std::array<int, 2>& axes = { 1, 2 });
   /// From a supplied tangent projection; throws Error where its pixel scale is not positive.
   WorldCoordinates(const SuppliedCoordinates& supplied, int width, int height);
   ~WorldCoordinates();
   WorldCoordinates(WorldCoordinates&&) noexcept;
   WorldCoordinates& operator=(WorldCoordinates&&) noexcept;
 
-  /// Each returns false where the projection has no such point. Not thread-safe on one object.
+  /// Each returns false where the projection has no such point. WCSLIB writes into its description
+  /// even when it only converts: use one object in one thread at a time.
   bool pixelToSky(const PixelPosition& pixel, SkyPosition& sky) const;
   bool skyToPixel(const SkyPosition& sky, PixelPosition& pixel) const;
 
 private:
   struct State;
+
+  bool refines(const WorldCoordinates& other, int width, int height) const;
+
   std::unique_ptr<State> state;
 };
 } // namespace galaxy

@@ -1,5 +1,5 @@
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/FitsFile.h"
+#include "Testing/Cxx/FitsFixtures.h"
 
 #include <fitsio.h>
 #include <gtest/gtest.h>
@@ -17,62 +17,12 @@ using galaxy::readFitsImage;
 
 namespace
 {
-/// A folder of FITS files that is gone after the test.
-class FitsFile : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "galaxy-fits-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    this->folder = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(this->folder); }
-
-  std::string path(const std::string& name) const { return (this->folder / name).string(); }
-
-  /// Writes a file through CFITSIO; `fill` does the rest after its creation.
-  std::string write(const std::string& name, const std::function<void(fitsfile*, int*)>& fill) const
-  {
-    fitsfile* file = nullptr;
-    int status = 0;
-    fits_create_diskfile(&file, this->path(name).c_str(), &status);
-    fill(file, &status);
-    fits_close_file(file, &status);
-    EXPECT_EQ(status, 0) << name;
-    return this->path(name);
-  }
-
-  std::filesystem::path folder;
-};
-
-constexpr long width = 3, height = 2;
-
-/// An image of these values in HDU order, stored as they are.
-void addImage(fitsfile* file, int bitpix, std::vector<double> values, int* status,
-  std::vector<long> axes = { width, height })
-{
-  fits_create_img(file, bitpix, static_cast<int>(axes.size()), axes.data(), status);
-  fits_write_img(file, TDOUBLE, 1, static_cast<LONGLONG>(values.size()), values.data(), status);
-}
-
-std::string messageOf(const std::string& file, const FitsSelection& selection = {})
-{
-  try
-  {
-    readFitsImage(file, selection);
-  }
-  catch (const galaxy::Error& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+using FitsFile = galaxy::testing::FitsFolder;
+using galaxy::testing::addImage;
+using galaxy::testing::contains;
+using galaxy::testing::height;
+using galaxy::testing::messageOf;
+using galaxy::testing::width;
 } // namespace
 
 TEST_F(FitsFile, EveryBitpix)
@@ -279,4 +229,81 @@ TEST_F(FitsFile, NothingToRead)
     fits_create_tbl(f, BINARY_TBL, 4, 1, names, forms, nullptr, nullptr, status);
   });
   EXPECT_EQ(messageOf(table), table + ": holds no image of two or more axes");
+}
+
+TEST_F(FitsFile, ExtremesOfEveryTypeAreExact)
+{
+  const std::string integers = this->write("integers.fits", [](fitsfile* f, int* status) {
+    long axes[] = { 3, 1 };
+    fits_create_img(f, LONGLONG_IMG, 2, axes, status);
+    LONGLONG values[] = { std::numeric_limits<LONGLONG>::min(), 9007199254740993,
+      std::numeric_limits<LONGLONG>::max() };
+    fits_write_img(f, TLONGLONG, 1, 3, values, status);
+  });
+  EXPECT_EQ(readFitsImage(integers).values,
+    (std::vector<double>{ -9223372036854775808., 9007199254740992., 9223372036854775808. }));
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  const double smallestFloat = std::numeric_limits<float>::denorm_min();
+  const std::string doubles = this->write("doubles.fits", [=](fitsfile* f, int* status) {
+    addImage(f, DOUBLE_IMG, { smallest, -0.0, 1e308 }, status, { 3, 1 });
+    addImage(f, FLOAT_IMG, { smallestFloat, -0.0, -smallestFloat }, status, { 3, 1 });
+  });
+  FitsSelection selection;
+  EXPECT_EQ(readFitsImage(doubles, selection).values, (std::vector<double>{ smallest, 0, 1e308 }));
+  EXPECT_TRUE(std::signbit(readFitsImage(doubles, selection).values[1]));
+  selection.hdu = 1;
+  EXPECT_EQ(readFitsImage(doubles, selection).values,
+    (std::vector<double>{ smallestFloat, 0, -smallestFloat }));
+}
+
+TEST_F(FitsFile, MaskValuesInTheImagesOwnPrecision)
+{
+  FitsSelection selection;
+  selection.maskValues = { -99.9, 0 };
+  for (const int bitpix : { FLOAT_IMG, DOUBLE_IMG })
+  {
+    const std::string name = "mask" + std::to_string(bitpix) + ".fits";
+    const Image image = readFitsImage(this->write(name,
+                                        [&](fitsfile* f, int* status) {
+                                          addImage(f, bitpix, { 1, -99.9, 0, -0.0, 2, 3 }, status);
+                                        }),
+      selection);
+    EXPECT_TRUE(std::isnan(image.values[1]) && std::isnan(image.values[2]));
+    EXPECT_TRUE(std::isnan(image.values[3]));
+    EXPECT_EQ(image.values[4], 2);
+  }
+  // A sentinel of a wide integer is that number alone.
+  selection.maskValues = { -2147483647 };
+  const Image image =
+    readFitsImage(this->write("sentinel.fits",
+                    [](fitsfile* f, int* status) {
+                      addImage(f, LONG_IMG, { -2147483647, -2147483646, 0, 1, 2, 3 }, status);
+                    }),
+      selection);
+  EXPECT_TRUE(std::isnan(image.values[0]));
+  EXPECT_EQ(image.values[1], -2147483646);
+}
+
+TEST_F(FitsFile, BrokenGzipIsNeverHalfAnImage)
+{
+  const std::string plain = this->write("whole.fits", [](fitsfile* f, int* status) {
+    std::vector<double> values(10000);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = std::sin(static_cast<double>(i));
+    }
+    addImage(f, DOUBLE_IMG, values, status, { 100, 100 });
+  });
+  ASSERT_EQ(std::system(("gzip -k '" + plain + "'").c_str()), 0);
+  const std::string packed = plain + ".gz";
+  EXPECT_EQ(readFitsImage(packed).values, readFitsImage(plain).values);
+  const std::uintmax_t size = std::filesystem::file_size(packed);
+  {
+    std::fstream stream(packed, std::ios::binary | std::ios::in | std::ios::out);
+    stream.seekp(static_cast<std::streamoff>(size) - 6); // the checksum
+    stream << 'x';
+  }
+  EXPECT_TRUE(contains(messageOf(packed), "gzip stream is broken")) << messageOf(packed);
+  std::filesystem::resize_file(packed, size / 2);
+  EXPECT_TRUE(contains(messageOf(packed), "truncated")) << messageOf(packed);
 }

@@ -209,8 +209,37 @@ TEST(GalaxyDescription, UnknownKeySuggestsTheNearest)
   EXPECT_NE(
     messageOf(least + "[xyzzy]\n").find("known are galaxy, image, component"), std::string::npos);
   EXPECT_EQ(messageOf(replaced(full, "\"asinh\"", "\"asin\"")),
-    "some.galaxy: line 41: stretch: 'asin' is none of Linear, Sqrt, Asinh, Density; did you mean "
+    "some.galaxy: line 41: stretch: 'asin' is none of Linear, Sqrt, Asinh, Density, Log; did you "
+    "mean "
     "`Asinh`?");
+}
+
+TEST(GalaxyDescription, PreparedAndCombinedImages)
+{
+  const std::string images = least +
+    "[image.high]\nfile = \"h.fits\"\nmask = \"m.fits\"\nregions = \"s.reg\"\nbeam = 15\n"
+    "[image.low]\nfile = \"l.fits\"\n"
+    "[image.hi]\ncombine = [\"high\", \"low\"]\nsignal_above = 3\n";
+  const GalaxyDescription galaxy = parseGalaxyDescription(images, "some.galaxy");
+  EXPECT_EQ(galaxy.images[0].mask, "m.fits");
+  EXPECT_EQ(galaxy.images[0].regions, "s.reg");
+  EXPECT_EQ(galaxy.images[0].beam, 15);
+  EXPECT_TRUE(std::isnan(galaxy.images[0].signalAbove));
+  EXPECT_EQ(galaxy.images[2].combine, (std::vector<std::string>{ "high", "low" }));
+  EXPECT_EQ(galaxy.images[2].signalAbove, 3);
+  EXPECT_EQ(messageOf(replaced(images, "\"high\", ", "\"hihg\", ")),
+    "some.galaxy: line 13: combine: there is no [image.hihg] with a file; did you mean `high`?");
+  EXPECT_EQ(messageOf(replaced(images, "\"high\", ", "")),
+    "some.galaxy: line 13: combine: must be a list of 2 or more images' names, the sharpest first");
+  EXPECT_EQ(messageOf(replaced(images, "signal_above = 3", "background = 3")),
+    "some.galaxy: line 14: background: has no place beside combine: give it to the images "
+    "combined");
+  EXPECT_EQ(messageOf(replaced(images, "beam = 15", "signal_above = 3")),
+    "some.galaxy: line 9: signal_above: needs combine");
+  EXPECT_EQ(messageOf(replaced(full, "clip = [1, 9]", "clip = [1, 9], clip_percentile = [1, 9]")),
+    "some.galaxy: line 41: clip_percentile: contradicts clip: give one or the other");
+  EXPECT_EQ(messageOf(replaced(full, "clip = [1, 9]", "clip_percentile = [1, 101]")),
+    "some.galaxy: line 41: clip_percentile: must be 0 to 100");
 }
 
 TEST(GalaxyDescription, WrongTypeOrRange)

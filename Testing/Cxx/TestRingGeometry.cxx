@@ -297,6 +297,22 @@ TEST(RingGeometry, OneRingIsAFlatDisc)
                            .outerRadius()));
 }
 
+TEST(RingGeometry, EdgeOnDiscIsALineOnTheSky)
+{
+  for (const SpinSense sense : { SpinSense::Clockwise, SpinSense::CounterClockwise })
+  {
+    const TiltedDisk disk(flatDisk(10, 90, 0), m83Distance, sense);
+    for (const double theta : { 0.0, 0.9, 2.5, 4.0 })
+    {
+      // Receding end North; matter moves from there to the far side.
+      const Vec3 p = disk.position(7, theta);
+      EXPECT_NEAR(distance(p, { 0, 7 * std::cos(theta), -7 * std::sin(theta) }), 0, 1e-14);
+      EXPECT_NEAR(disk.lineOfSightVelocity(7, theta), 200 * std::cos(theta), 1e-12);
+      EXPECT_NEAR(disk.skyJacobian(7, theta), 0, 1e-14);
+    }
+  }
+}
+
 TEST(RingGeometry, UnusableTablesAreRefused)
 {
   RingTable table;

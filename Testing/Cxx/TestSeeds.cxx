@@ -1,3 +1,4 @@
+#include "Filters/Model/Background.h"
 #include "Filters/Model/ImageCleaning.h"
 #include "Filters/Model/Seeds.h"
 #include "Readers/Formats/Error.h"

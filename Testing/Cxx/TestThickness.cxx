@@ -292,6 +292,19 @@ TEST(Thickness, HydrostaticLimits)
   EXPECT_NEAR(halo.scaleHeight(50) * 2.3548, 6.23, 0.01);
 }
 
+TEST(Thickness, RingsBringTheirOwnHeightAndLaw)
+{
+  RingTable table = flatDisk(10);
+  table.rings = { ring(0, 200, 10, 0, 0), ring(600, 200, 30, 0, 0) };
+  table.layerLaw = LayerLaw::Exponential;
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Rings;
+  const TiltedDisk disk(table, m83Distance);
+  const ThicknessProfile profile(thickness, disk);
+  EXPECT_EQ(profile.law(), LayerLaw::Exponential);
+  EXPECT_NEAR(profile.scaleHeight(300 * m83Kpc), 20 * m83Kpc, 1e-12);
+}
+
 TEST(Thickness, ParticlesMoveWithTheirRing)
 {
   const ThickDisk thick(m83Rings(), exponentialDisk(), 100);

@@ -1,0 +1,124 @@
+#include "Readers/Formats/RingUnits.h"
+
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/RingPlane.h"
+#include "Readers/Formats/RingText.h"
+
+#include <algorithm>
+#include <map>
+
+namespace galaxy
+{
+namespace
+{
+using Units = std::map<std::string, double>;
+
+const Units angularLengths = { { "arcsec", 1 }, { "arcs", 1 }, { "arcsecs", 1 }, { "asec", 1 },
+  { "arcsecond", 1 }, { "arcseconds", 1 }, { "\"", 1 }, { "arcmin", 60 }, { "arcm", 60 },
+  { "arcmins", 60 }, { "arcminute", 60 }, { "arcminutes", 60 }, { "'", 60 }, { "deg", 3600 },
+  { "degree", 3600 }, { "degrees", 3600 }, { "rad", arcsecPerRadian } };
+const Units physicalLengths = { { "pc", 1e-3 }, { "kpc", 1 }, { "mpc", 1e3 } }; // in kpc
+const Units pixels = { { "pix", 1 }, { "pixel", 1 }, { "pixels", 1 }, { "px", 1 }, { "grid", 1 } };
+const Units velocities = { { "km/s", 1 }, { "km/sec", 1 }, { "kms", 1 }, { "kms-1", 1 },
+  { "kms^-1", 1 }, { "kms**-1", 1 }, { "km.s-1", 1 }, { "m/s", 1e-3 }, { "ms-1", 1e-3 },
+  { "ms^-1", 1e-3 }, { "m.s-1", 1e-3 } };
+const Units angles = { { "deg", 1 }, { "deg.", 1 }, { "degree", 1 }, { "degrees", 1 },
+  { "\xc2\xb0", 1 }, { "rad", arcsecPerRadian / 3600 }, { "radian", arcsecPerRadian / 3600 },
+  { "radians", arcsecPerRadian / 3600 } };
+
+std::string plain(const std::string& unit)
+{
+  std::string name = lowered(unit);
+  name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+  return name;
+}
+
+bool look(const Units& units, const std::string& unit, double& factor)
+{
+  const auto found = units.find(plain(unit));
+  if (found != units.end())
+  {
+    factor = found->second;
+  }
+  return found != units.end();
+}
+
+[[noreturn]] void failWithout(const std::string& file, const std::string& column,
+  const std::string& unit, const std::string& what)
+{
+  throw Error(file, column, "is in " + unit + ", which needs " + what);
+}
+
+double lengthFactor(const std::string& unit, const RingOptions& options, const std::string& file,
+  const std::string& column)
+{
+  double factor;
+  if (look(angularLengths, unit, factor))
+  {
+    return factor;
+  }
+  if (look(physicalLengths, unit, factor))
+  {
+    if (!(options.distance > 0))
+    {
+      failWithout(file, column, unit, "the distance (Distance of the ring reader)");
+    }
+    return factor / kpcPerArcsec(options.distance);
+  }
+  if (look(pixels, unit, factor))
+  {
+    if (!(options.pixelScale > 0))
+    {
+      failWithout(file, column, unit,
+        "the size of a pixel: ring_pixel_scale in [galaxy], PixelScale of the ring reader");
+    }
+    return options.pixelScale;
+  }
+  throw Error(file, column, "'" + unit + "' is no unit of length known here");
+}
+} // namespace
+
+bool isAngularLength(const std::string& unit)
+{
+  double ignored;
+  return unit.empty() || look(angularLengths, unit, ignored);
+}
+
+bool isUnit(Dimension dimension, const std::string& unit)
+{
+  double ignored;
+  switch (dimension)
+  {
+    case Dimension::Length:
+      return look(angularLengths, unit, ignored) || look(physicalLengths, unit, ignored) ||
+        look(pixels, unit, ignored);
+    case Dimension::Velocity:
+      return look(velocities, unit, ignored);
+    case Dimension::Angle:
+      return look(angles, unit, ignored);
+    default:
+      return false;
+  }
+}
+
+double unitFactor(Dimension dimension, const std::string& unit, const RingOptions& options,
+  const std::string& file, const std::string& column)
+{
+  if (unit.empty() || dimension == Dimension::Number)
+  {
+    return 1;
+  }
+  if (dimension == Dimension::Length)
+  {
+    return lengthFactor(unit, options, file, column);
+  }
+  const bool isAngle = dimension == Dimension::Angle;
+  double factor;
+  if (!look(isAngle ? angles : velocities, unit, factor))
+  {
+    throw Error(file, column,
+      "'" + unit + "' is no unit of " + (isAngle ? "angle" : "velocity") + " known here");
+  }
+  return factor;
+}
+} // namespace galaxy
