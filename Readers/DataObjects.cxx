@@ -2,6 +2,7 @@
 
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingPlane.h"
+#include "Readers/PlaceOnSky.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -132,6 +133,8 @@ void toImageData(const Image& image, vtkImageData* output)
     cards->InsertNextValue(image.cards.substr(start, cardLength));
   }
   output->GetFieldData()->AddArray(cards);
+  setFieldInteger(output, "AxisX", image.axes[0]);
+  setFieldInteger(output, "AxisY", image.axes[1]);
   setFieldString(output, "Unit", image.unit);
   setFieldString(output, "File", image.file);
 }
@@ -141,6 +144,7 @@ Image toImage(vtkImageData* input)
   Image image;
   image.file = fieldString(input, "File", "image");
   image.unit = fieldString(input, "Unit", image.file);
+  image.axes = { fieldInteger(input, "AxisX", 1), fieldInteger(input, "AxisY", 2) };
   int size[3];
   input->GetDimensions(size);
   image.width = size[0];
@@ -299,6 +303,7 @@ void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
   toPolyData(galaxy.rings, kpcPerArcsec(description.distance),
     spinOf(galaxy.rings.code, description.spin), rings);
   addBlock(rings, "rings");
+  const SkyFrame frame(description.centre, description.distance);
   for (std::size_t i = 0; i < galaxy.images.size(); ++i)
   {
     if (!description.images[i].combine.empty())
@@ -307,6 +312,7 @@ void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
     }
     vtkNew<vtkImageData> image;
     toImageData(galaxy.images[i], image);
+    placeOnSky(galaxy.images[i], description.images[i], frame, image);
     addBlock(image, description.images[i].name);
   }
 }

@@ -25,8 +25,8 @@ void toPolyData(const RingTable& table, double unit, double spin, vtkPolyData* o
 /// The inverse. Throws Error where an array is missing.
 RingTable toRingTable(vtkPolyData* input, double unit);
 
-/// A collection of the rings ("rings") and each image by its name; the description travels in the
-/// field data as the string arrays `GalaxyFile` and `GalaxyDescription`.
+/// A collection of the rings ("rings") and each image by its name, in its place on the sky; the
+/// description travels in the field data as the string arrays `GalaxyFile` and `GalaxyDescription`.
 void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output);
 /// The inverse: the description comes from the field data, rings and images from the blocks, so
 /// that what a filter did to them counts. Throws Error where something is missing.

@@ -3,9 +3,10 @@
  * @brief   a .galaxy file: a galaxy's rings, images and the description of its components
  *
  * Output: a collection whose block `rings` holds the tilted rings (as vtkTiltedRingReader, in
- * kpc) and whose other blocks hold each image (as vtkFITSImageReader) by the name that the file
- * gives it. The description itself travels in the field data, for the filters that build
- * particles. The keys of a .galaxy file are listed in Examples/README.md.
+ * kpc) and whose other blocks hold each image (as vtkFITSImageReader, but laid into the plane of
+ * the sky at the galaxy, kpc) by the name that the file gives it. The description itself travels in
+ * the field data, for the filters that build particles. The keys of a .galaxy file are listed in
+ * Examples/README.md.
  */
 #ifndef vtkGalaxyReader_h
 #define vtkGalaxyReader_h

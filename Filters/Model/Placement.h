@@ -2,7 +2,7 @@
 #define galaxy_Placement_h
 
 #include "Filters/Model/Particles.h"
-#include "Filters/Model/SkyFrame.h"
+#include "Readers/Formats/SkyFrame.h"
 #include "Readers/Formats/Vec3.h"
 
 #include <array>

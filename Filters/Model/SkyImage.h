@@ -1,7 +1,7 @@
 #ifndef galaxy_SkyImage_h
 #define galaxy_SkyImage_h
 
-#include "Filters/Model/SkyFrame.h"
+#include "Readers/Formats/SkyFrame.h"
 #include "Filters/Model/SkyGrid.h"
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/Image.h"

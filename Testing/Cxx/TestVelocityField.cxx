@@ -1,4 +1,4 @@
-#include "Filters/Model/SkyFrame.h"
+#include "Readers/Formats/SkyFrame.h"
 #include "Filters/Model/SkyToDisk.h"
 #include "Readers/Formats/CelestialFrame.h"
 #include "Readers/Formats/FitsFile.h"

@@ -3,6 +3,7 @@ import hashlib
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -106,6 +107,35 @@ class Model(unittest.TestCase):
             np.testing.assert_allclose(offset, sigma, rtol=0.03)
             total = gt.vtk_to_numpy(data.GetPointData().GetArray("Intensity")).astype(float).sum()
             self.assertAlmostEqual(total / light.sum(), 1, places=5)
+
+    def test_resolutions_of_one_line_are_combined(self):
+        images = os.path.join(os.path.dirname(gt.M83), "images")
+        names = ("high", "medium", "low")
+        text = "[galaxy]\nra = 204.25383\ndec = -29.86576\ndistance = 4.9\nradius = 60\n"
+        for name in names:
+            text += f'[image.{name}]\nfile = "{images}/m83_hi_{name}.fits"\n'
+        text += '[image.all]\ncombine = ["high", "medium", "low"]\n'
+        text += "[[component]]\nname = 'gas'\nlayers = [{ image = 'all' }]\n"
+        with tempfile.NamedTemporaryFile("w", suffix=".galaxy") as file:
+            file.write(text)
+            file.flush()
+            reader = simple.GalaxyReader(FileName=file.name)
+            model = simple.GalaxyModel(Input=reader, ParticleScale=0.2)
+            model.UpdatePipeline()
+        self.assertGreater(model.GetDataInformation().GetNumberOfPoints(), 5000)
+
+    def test_a_dark_component_is_said(self):
+        with open(gt.M83, encoding="utf-8") as file:
+            text = file.read().replace("ra = 204.25383", "ra = 13.6")
+        folder = os.path.dirname(gt.M83)
+        with tempfile.NamedTemporaryFile("w", suffix=".galaxy", dir=folder) as file:
+            file.write(text)
+            file.flush()
+            model = simple.GalaxyModel(Input=simple.GalaxyReader(FileName=file.name),
+                                       ParticleScale=SCALE)
+            with gt.Messages() as messages:
+                model.UpdatePipeline()
+        self.assertIn("no particles for stars", messages.text)
 
     def test_unstable_dust_is_refused(self):
         galaxy = simple.GalaxyReader(FileName=gt.M83)

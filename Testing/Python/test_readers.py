@@ -58,6 +58,27 @@ class Fits(unittest.TestCase):
         values = gt.vtk_to_numpy(image.GetPointData().GetArray("Intensity"))
         np.testing.assert_array_equal(values, [10, 10.5, 11, 11.5, np.nan, 12.5])
 
+    def test_planes_moment_and_masked_values(self):
+        rng = np.random.default_rng(5)
+        cube = rng.normal(size=(6, 4, 5)).astype(np.float32)
+        header = fits.Header()
+        header.update(CTYPE3="VRAD", CUNIT3="m/s", CRVAL3=100e3, CRPIX3=1.0, CDELT3=-5e3,
+                      BUNIT="JY/BEAM")
+        fits.PrimaryHDU(cube, header).writeto(self.path("line.fits"))
+
+        def values(**properties):
+            data = fetch(simple.FITSReader(FileName=self.path("line.fits"), **properties))
+            return gt.vtk_to_numpy(data.GetPointData().GetArray("Intensity")).reshape(4, 5)
+
+        mean = cube[1:4].astype(float).mean(axis=0)
+        np.testing.assert_allclose(values(Planes=[1, 3]), mean, rtol=1e-12)
+        # Channels lie at 100, 95, 90 ... km/s; those from 88 to 96 are the second and the third.
+        moment = 5 * cube[1:3].astype(float).sum(axis=0)
+        np.testing.assert_allclose(values(VelocityRange=[88, 96]), moment, rtol=1e-12)
+        masked = values(Plane=0, MaskValues=[float(cube[0, 2, 3])])
+        self.assertTrue(np.isnan(masked[2, 3]))
+        self.assertEqual(np.isnan(masked).sum(), 1)
+
     def refuse(self, reader, *words, **properties):
         with gt.Messages() as messages:
             proxy = reader(**properties)
@@ -118,6 +139,33 @@ class Rings(unittest.TestCase):
         expected = pa[5] + np.pi / 2
         self.assertGreater(near @ [-np.sin(expected), np.cos(expected), 0], 0)
 
+    def test_a_disk_of_a_tirific_model_with_any_column(self):
+        text = """NDISKS= 2
+NUR= 3
+RADI= 0 60 120
+VROT= 0 100 120
+INCL= 40 40 50
+PA= 350 355 10
+Z0= 5
+SDIS= 8 9 10
+VROT_2= 0 90 110
+INCL_2= 60
+PA_2= 30
+Z0_2= 7
+"""
+        with tempfile.NamedTemporaryFile("w", suffix=".def") as file:
+            file.write(text)
+            file.flush()
+            first = fetch(simple.TiltedRingReader(FileName=file.name)).GetCellData()
+            second = fetch(simple.TiltedRingReader(FileName=file.name, Disk=2)).GetCellData()
+        column = lambda cells, name: list(gt.vtk_to_numpy(cells.GetArray(name)))
+        self.assertEqual(column(first, "PositionAngle"), [350, 355, 370])
+        self.assertEqual(column(first, "ScaleHeight"), [5, 5, 5])
+        self.assertEqual(column(second, "RotationVelocity"), [0, 90, 110])
+        self.assertEqual(column(second, "Inclination"), [60, 60, 60])
+        names = [first.GetArrayName(i) for i in range(first.GetNumberOfArrays())]
+        self.assertTrue(any("SDIS" in name or "ispersion" in name for name in names), names)
+
     def test_galaxy_has_rings_and_images_by_name(self):
         reader = simple.GalaxyReader(FileName=gt.M83)
         reader.UpdatePipeline()
@@ -129,6 +177,15 @@ class Rings(unittest.TestCase):
         self.assertEqual(names[0], "rings")
         self.assertEqual(len(names), 9)
         self.assertEqual(collection.GetPartition(0, 0).GetNumberOfCells(), 15)
+        # The images lie about the galaxy's centre, in kpc, East (-X) on the left.
+        image = collection.GetPartition(1, 0)
+        low, high = np.array(image.GetBounds()).reshape(3, 2).T
+        arcmin = np.radians(1 / 60) * 4900
+        self.assertLess(np.abs(low + high)[:2].max(), 0.1)
+        np.testing.assert_allclose((high - low)[:2], 1024 * 0.95 / 60 * arcmin, rtol=0.01)
+        header = fits.getheader(os.path.join(gt.ROOT, "Examples", "M83", "images", "m83_r.fits"))
+        self.assertLess(header["CDELT1"] if "CDELT1" in header else header["CD1_1"], 0)
+        self.assertGreater(image.GetPoint(1)[0], image.GetPoint(0)[0])  # West to the right
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-#include "Filters/Model/SkyFrame.h"
+#include "Readers/Formats/SkyFrame.h"
 
 #include <cmath>
 
