@@ -1,11 +1,11 @@
 #ifndef galaxy_SkyImage_h
 #define galaxy_SkyImage_h
 
-#include "Readers/Formats/SkyFrame.h"
 #include "Filters/Model/SkyGrid.h"
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/Image.h"
 #include "Readers/Formats/PixelLattice.h"
+#include "Readers/Formats/SkyFrame.h"
 
 #include <vector>
 

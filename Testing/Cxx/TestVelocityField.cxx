@@ -1,7 +1,7 @@
-#include "Readers/Formats/SkyFrame.h"
 #include "Filters/Model/SkyToDisk.h"
 #include "Readers/Formats/CelestialFrame.h"
 #include "Readers/Formats/FitsFile.h"
+#include "Readers/Formats/SkyFrame.h"
 #include "Testing/Cxx/ModelFixtures.h"
 
 #include <gtest/gtest.h>
