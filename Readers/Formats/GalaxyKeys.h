@@ -22,6 +22,9 @@ const Keys<GroupDescription>& groupFileKeys();
 const Keys<GroupDescription>& groupKeys();
 const Keys<GroupMember>& memberKeys();
 
+/// Reads every [image.NAME] and checks what holds between their keys.
+void readImages(const KeyValue& value, GalaxyDescription& out);
+
 /// Reads [[component]] with its layers and sections.
 ComponentDescription readComponent(const std::string& file, const toml::table& table);
 
