@@ -94,6 +94,14 @@ class View(unittest.TestCase):
             self.assertGreater(middle[0], 0.9)
             simple.Hide(ball, self.view)
 
+    def test_antialiasing_changes_nothing_smooth(self):
+        self.show(self.emitter())
+        self.keep_camera()
+        plain = self.shot()
+        for fxaa, samples in ((0, 0), (1, 0), (0, 8)):
+            self.view.UseFXAA, self.view.MultiSamples = fxaa, samples
+            self.assertLess(np.abs(self.shot() - plain).max(), 0.02)
+
     def test_beside_translucent_geometry_and_lines(self):
         for peeling in (1, 0):
             self.view.DepthPeeling = peeling
