@@ -3,8 +3,8 @@
 #include "Filters/Model/GaussianBlur.h"
 #include "Filters/Model/Median.h"
 #include "Filters/Model/Regrid.h"
+#include "Readers/Formats/Beam.h"
 #include "Readers/Formats/Error.h"
-#include "Readers/Formats/HeaderCards.h"
 
 #include <algorithm>
 #include <cctype>
@@ -202,16 +202,15 @@ private:
 Resolution resolutionOf(
   const Image& image, const ImageDescription& description, const SkyGrid& grid)
 {
-  const double major = cardNumber(image.cards, "BMAJ").value_or(0);
-  const double minor = cardNumber(image.cards, "BMIN").value_or(0);
+  const std::optional<Beam> beam = beamOf(image);
   Resolution resolution;
   if (description.beam > 0)
   {
     resolution.beam = description.beam;
   }
-  else if (major > 0 && minor > 0)
+  else if (beam)
   {
-    resolution.beam = 3600 * std::sqrt(major * minor);
+    resolution.beam = std::sqrt(beam->major * beam->minor);
   }
   else
   {

@@ -1,7 +1,8 @@
 #include "Readers/Formats/CoordinateCards.h"
 
-#include <algorithm>
-#include <cctype>
+#include "Readers/Formats/FitsHeader.h"
+#include "Readers/Formats/HeaderCards.h"
+
 #include <cmath>
 #include <cstdlib>
 
@@ -9,7 +10,7 @@ namespace galaxy
 {
 namespace
 {
-constexpr std::size_t cardLength = 80;
+constexpr std::size_t cardLength = FitsHeader::cardLength;
 
 bool startsWith(const std::string& card, const char* start)
 {
@@ -20,13 +21,6 @@ bool startsWith(const std::string& card, const char* start)
 bool isAxisParameter(const std::string& card)
 {
   return startsWith(card, "PV") && card[3] == '_';
-}
-
-std::string inCapitals(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
 }
 
 /// Every card as `change` returns it.
@@ -42,19 +36,6 @@ std::string changedCards(const std::string& cards, const Change& change)
 }
 } // namespace
 
-std::string cardValue(const std::string& cards, const std::string& keyword)
-{
-  const std::string start = (keyword + "        ").substr(0, 8) + "=";
-  for (std::size_t at = 0; at + cardLength <= cards.size(); at += cardLength)
-  {
-    if (cards.compare(at, start.size(), start) == 0)
-    {
-      return cards.substr(at + start.size(), cardLength - start.size());
-    }
-  }
-  return "";
-}
-
 std::string repairedCoordinateCards(const std::string& cards)
 {
   const bool hasSip = !cardValue(cards, "A_ORDER").empty();
@@ -63,7 +44,7 @@ std::string repairedCoordinateCards(const std::string& cards)
   std::string repaired = changedCards(cards, [&](std::string card) {
     if (startsWith(card, "CTYPE") || startsWith(card, "RADE"))
     {
-      card = inCapitals(card);
+      card = upperCase(card);
       const std::size_t tangent = card.find("-TAN'");
       if (hasPolynomials && !hasSip && tangent != std::string::npos)
       {

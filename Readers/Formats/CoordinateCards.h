@@ -8,10 +8,6 @@
 
 namespace galaxy
 {
-/// The value field of the first card with this keyword, as text with its quotes and comment; empty
-/// where there is none.
-std::string cardValue(const std::string& cards, const std::string& keyword);
-
 /// The same header as WCSLIB insists on it: CTYPE and RADESYS in capitals; the distortion that
 /// early SCAMP wrote on TAN axes named TPV, and taken out where SIP describes it as well (as
 /// astropy does); the terms of TPV that count as 1 where they are absent.

@@ -1,26 +1,37 @@
 #include "Readers/Formats/HeaderCards.h"
 
-#include "Readers/Formats/RingText.h"
+#include "Readers/Formats/FitsHeader.h"
 
 namespace galaxy
 {
-std::optional<double> cardNumber(const std::string& cards, const std::string& keyword)
+namespace
 {
-  constexpr std::size_t cardLength = 80;
+/// The first card with this keyword and a value; empty where there is none.
+std::string cardOf(const std::string& cards, const std::string& keyword)
+{
+  constexpr std::size_t cardLength = FitsHeader::cardLength;
   const std::string start = (keyword + "        ").substr(0, 8) + "=";
   for (std::size_t at = 0; at + cardLength <= cards.size(); at += cardLength)
   {
-    if (cards.compare(at, start.size(), start) != 0)
+    if (cards.compare(at, start.size(), start) == 0)
     {
-      continue;
+      return cards.substr(at, cardLength);
     }
-    std::string value = cards.substr(at + start.size(), cardLength - start.size());
-    value = value.substr(0, value.find('/'));
-    const std::vector<std::string> cells = splitCells(value);
-    double number;
-    return cells.size() == 1 && parseNumber(cells[0], number) ? std::optional<double>(number)
-                                                              : std::nullopt;
   }
-  return std::nullopt;
+  return "";
 }
-} // namespace galaxy
+}
+
+std::string cardValue(const std::string& cards, const std::string& keyword)
+{
+  const std::string card = cardOf(cards, keyword);
+  return card.empty() ? card : card.substr(9);
+}
+
+std::optional<double> cardNumber(const std::string& cards, const std::string& keyword)
+{
+  FitsHeader header;
+  header.add(cardOf(cards, keyword));
+  return header.number(keyword);
+}
+}

@@ -3,6 +3,7 @@
 #include "Readers/Formats/CelestialFrame.h"
 #include "Readers/Formats/CoordinateCards.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/Formats/HeaderCards.h"
 
 #include <wcslib/wcs.h>
 #include <wcslib/wcsfix.h>

@@ -105,6 +105,16 @@ bool equalBits(const Buffer<T>& p, const Buffer<T>& q)
 {
   return p.size() == q.size() && std::equal(p.begin(), p.end(), q.begin());
 }
+/// The summed light of an image of `pixel` arcsec, blank pixels left out.
+inline double fluxOf(const std::vector<float>& values, double pixel)
+{
+  double sum = 0;
+  for (const float value : values)
+  {
+    sum += std::isnan(value) ? 0 : value;
+  }
+  return sum * pixel * pixel;
+}
 } // namespace galaxy
 
 #endif

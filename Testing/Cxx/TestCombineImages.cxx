@@ -76,16 +76,6 @@ CombineSource source(
   return made;
 }
 
-double fluxOf(const std::vector<float>& values, double pixel)
-{
-  double sum = 0;
-  for (const float value : values)
-  {
-    sum += std::isnan(value) ? 0 : value;
-  }
-  return sum * pixel * pixel;
-}
-
 /// The value at (x, y) arcsec right of and above the middle.
 double valueAt(const CleanImage& image, double pixel, double x, double y)
 {
@@ -211,6 +201,8 @@ TEST(CombineImages, ResolutionComesFromTheDescriptionOrTheHeader)
   resolution = resolutionOf(image, description, grid);
   EXPECT_NEAR(resolution.beam, 18, 1e-9);
   EXPECT_TRUE(resolution.perBeam);
+  image.cards = card("HISTORY AIPS   CLEAN BMAJ=  2.0000E-02 BMIN=  5.0000E-03 BPA=  45.00");
+  EXPECT_NEAR(resolutionOf(image, description, grid).beam, 36, 1e-9);
   description.beam = 11;
   EXPECT_EQ(resolutionOf(image, description, grid).beam, 11);
 }

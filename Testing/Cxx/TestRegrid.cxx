@@ -44,16 +44,6 @@ CleanImage gaussianImage(int size, double pixel, double angle, double fwhm, doub
   }
   return image;
 }
-
-double fluxOf(const std::vector<float>& values, double pixel)
-{
-  double sum = 0;
-  for (const float value : values)
-  {
-    sum += std::isnan(value) ? 0 : value;
-  }
-  return sum * pixel * pixel;
-}
 } // namespace
 
 TEST(Regrid, KeepsTheFlux)
