@@ -5,6 +5,8 @@
 #include <fitsio.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -65,7 +67,8 @@ class BadPixelFiles : public testing::Test
 {
 protected:
   BadPixelFiles()
-    : folder(std::filesystem::path(testing::TempDir()) / "galaxy-bad-pixels")
+    : folder(std::filesystem::path(testing::TempDir()) /
+        ("galaxy-bad-pixels-" + std::to_string(getpid())))
   {
     std::filesystem::create_directories(this->folder);
     this->image.width = this->image.height = 101;
