@@ -1,7 +1,5 @@
 #include "Readers/Formats/GalaxyKeys.h"
 
-#include <climits>
-
 namespace galaxy
 {
 namespace
@@ -79,87 +77,6 @@ const Keys<LayerDescription>& layerKeys()
     choiceKey<L>("stretch", &L::stretch, { "Linear", "Sqrt", "Asinh", "Density", "Log" },
       "From the clipped value t to the intensity: t, sqrt(t), asinh(10 t)/asinh(10), for a "
       "photographic plate (10^t - 1)/9, or log10(1 + 1000 t)/log10(1001)."),
-  };
-  return keys;
-}
-
-const Keys<ThicknessDescription>& thicknessKeys()
-{
-  using T = ThicknessDescription;
-  static const Keys<T> keys = {
-    choiceKey<T>("model", &T::model, { "Gaussian", "Tapered", "Flared", "Hydrostatic", "Rings" },
-      "How a seed becomes a cloud of children."),
-    choiceKey<T>("law", &T::law, { "Gaussian", "Sech2", "Exponential", "Lorentzian", "Box" },
-      "Vertical density law of Tapered, Flared and Hydrostatic.", 1),
-    numberKey<T>("children", &T::children, Range::notNegative(), "",
-      "Children a seed, at intensity 1 (Gaussian) or at the centre (the others)."),
-    integerKey<T>("maximum_children", &T::maximumChildren, 1, INT_MAX,
-      "Most children a seed; the light is kept."),
-    numberKey<T>("sigma", &T::sigma, Range::notNegative(), "kpc",
-      "Spread in all directions (Gaussian) or in the plane (the others)."),
-    numberKey<T>("compression", &T::compression, Range::from(0, 1), "",
-      "Exponent from the image's intensity to the seed's (Gaussian)."),
-    numberKey<T>("scale_length", &T::scaleLength, Range::positive(), "kpc",
-      "Radial scale length: of the children (Tapered) or the stars (Hydrostatic)."),
-    numberKey<T>("scale_height", &T::scaleHeight, Range::positive(), "kpc",
-      "Vertical scale: of the children (Tapered) or the stars (Hydrostatic)."),
-    flagKey<T>("taper_thickness", &T::taperThickness,
-      "Whether the thickness falls with radius as the children do (Tapered)."),
-    numberKey<T>("fwhm_centre", &T::fwhmCentre, Range::notNegative(), "kpc",
-      "Full width at half maximum at the centre (Flared)."),
-    numberKey<T>("fwhm_edge", &T::fwhmEdge, Range::positive(), "kpc",
-      "Full width at half maximum at the stellar disc's edge (Flared)."),
-    numberKey<T>("edge_radius", &T::edgeRadius, Range::positive(), "kpc",
-      "Radius of the stellar disc's edge (Flared)."),
-    numberKey<T>("flare_length", &T::flareLength, Range::positive(), "kpc",
-      "Length of the exponential flare beyond the edge (Flared)."),
-    numberKey<T>("fwhm_maximum", &T::fwhmMaximum, Range::positive(), "kpc",
-      "Largest full width at half maximum (Flared)."),
-    numberKey<T>("reference_velocity", &T::referenceVelocity, Range::positive(), "km/s",
-      "Rotation velocity at which the widths hold (Flared)."),
-    numberKey<T>("velocity_exponent", &T::velocityExponent, Range::any(), "",
-      "Exponent of reference over rotation velocity (Flared)."),
-    numberKey<T>("gas_dispersion", &T::gasDispersion, Range::positive(), "km/s",
-      "Velocity dispersion of the gas (Hydrostatic)."),
-    numberKey<T>("stellar_surface_density", &T::stellarSurfaceDensity, Range::notNegative(),
-      "Msun/pc^2", "Surface density of the stars at the centre (Hydrostatic)."),
-    numberKey<T>("gas_surface_density", &T::gasSurfaceDensity, Range::notNegative(), "Msun/pc^2",
-      "Surface density of the gas (Hydrostatic)."),
-  };
-  return keys;
-}
-
-const Keys<DustDescription>& dustKeys()
-{
-  using D = DustDescription;
-  static const Keys<D> keys = {
-    choiceKey<D>("model", &D::model, { "RingVelocity", "DiskRotation" },
-      "Whether a filament keeps its seed's velocity or follows the rotation."),
-    integerKey<D>("steps", &D::steps, 1, INT_MAX, "Particles a filament."),
-    numberKey<D>("step_length", &D::stepLength, Range::positive(), "kpc",
-      "Distance between the particles of a filament."),
-    numberKey<D>("velocity_dispersion", &D::velocityDispersion, Range::positive(), "km/s",
-      "Random velocity in the plane."),
-    numberKey<D>("vertical_dispersion", &D::verticalDispersion, Range::positive(), "km/s",
-      "Random velocity across the plane."),
-    numberKey<D>(
-      "scale_height", &D::scaleHeight, Range::positive(), "kpc", "Root mean square height."),
-    numberKey<D>("damping_time", &D::dampingTime, Range::positive(), "Myr",
-      "Time in which a random velocity is forgotten."),
-  };
-  return keys;
-}
-
-const Keys<SpheroidDescription>& spheroidKeys()
-{
-  using S = SpheroidDescription;
-  static const Keys<S> keys = {
-    listKey<S>(
-      "sigma", &S::sigma, Range::positive(), "kpc", "Standard deviations along the three axes."),
-    flagKey<S>("tilted", &S::tilted,
-      "Whether the axes are the innermost ring's rather than the sky's West, North and depth."),
-    numberKey<S>("central_brightness", &S::centralBrightness, Range::notNegative(), "",
-      "Brightness at the centre, seen along the third axis, where a layer's intensity 1 is 1."),
   };
   return keys;
 }
