@@ -15,7 +15,7 @@ vtkSmartPointer<Array> adopt(Buffer<T>& buffer, const char* name, int channels)
   array->SetName(name);
   array->SetNumberOfComponents(channels);
   const auto size = static_cast<vtkIdType>(buffer.size());
-  array->SetArray(buffer.release(), size, 0, Array::VTK_DATA_ARRAY_DELETE);
+  array->SetArray(buffer.release(), size, 0, Array::VTK_DATA_ARRAY_FREE);
   return array;
 }
 }

@@ -1,6 +1,7 @@
 #include "ParticleData.h"
 
 #include "Filters/AdoptBuffer.h"
+#include "Filters/PointArrays.h"
 #include "vtkSplatSettings.h"
 
 #include "vtkDataArray.h"
@@ -47,6 +48,8 @@ void toFieldData(const std::vector<ComponentInfo>& components, vtkFieldData* fie
   fields->AddArray(brightness);
 }
 
+}
+
 std::vector<ComponentInfo> toComponents(vtkFieldData* fields)
 {
   auto names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("ComponentName"));
@@ -74,61 +77,6 @@ std::vector<ComponentInfo> toComponents(vtkFieldData* fields)
     components[k].brightness = value("ComponentBrightness", i, 0, 1);
   }
   return components;
-}
-
-/// Pointers into the arrays of particles, converting those of another type.
-class ArrayViews
-{
-public:
-  ArrayViews(vtkPolyData* particles, ParticleInput& input)
-    : particles(particles)
-    , input(input)
-  {
-  }
-
-  /// Null where the array is absent; says a problem where it has the wrong shape.
-  template <typename Array>
-  auto find(const char* name, int minChannels, int maxChannels)
-    -> decltype(Array::New()->GetPointer(0))
-  {
-    vtkDataArray* array = this->particles->GetPointData()->GetArray(name);
-    if (!array)
-    {
-      return nullptr;
-    }
-    const int channels = array->GetNumberOfComponents();
-    if (channels < minChannels || channels > maxChannels || channels == 2)
-    {
-      this->input.problem = std::string("point array ") + name + " has " +
-        std::to_string(channels) + " components instead of " + std::to_string(maxChannels);
-      return nullptr;
-    }
-    return this->as<Array>(array);
-  }
-
-  template <typename Array>
-  auto as(vtkDataArray* array) -> decltype(Array::New()->GetPointer(0))
-  {
-    Array* typed = Array::SafeDownCast(array);
-    if (!typed)
-    {
-      auto copy = vtkSmartPointer<Array>::New();
-      copy->DeepCopy(array);
-      this->input.converted.push_back(copy);
-      typed = copy;
-    }
-    return typed->GetPointer(0);
-  }
-
-  int channels(const char* name) const
-  {
-    return this->particles->GetPointData()->GetArray(name)->GetNumberOfComponents();
-  }
-
-private:
-  vtkPolyData* particles;
-  ParticleInput& input;
-};
 }
 
 void toPolyData(Particles&& particles, vtkPolyData* output)
@@ -160,7 +108,7 @@ bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleI
   {
     return true;
   }
-  ArrayViews arrays(particles, input);
+  PointArrays arrays(particles, input.converted, input.problem);
   view.position = arrays.as<vtkFloatArray>(particles->GetPoints()->GetData());
   view.smoothingLength = arrays.find<vtkFloatArray>("SmoothingLength", 1, 1);
   view.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);

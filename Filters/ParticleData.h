@@ -11,6 +11,7 @@
 
 class vtkDataArray;
 class vtkDataObject;
+class vtkFieldData;
 class vtkPolyData;
 class vtkSplatSettings;
 
@@ -22,6 +23,9 @@ namespace galaxy
 {
 /// Hands the particles over without copying them.
 void toPolyData(Particles&& particles, vtkPolyData* output);
+
+/// The component table; one unnamed component that emits where there is none.
+std::vector<ComponentInfo> toComponents(vtkFieldData* fields);
 
 /// Particles of a vtkPolyData as the engine draws them, with what had to be converted for it.
 struct ParticleInput

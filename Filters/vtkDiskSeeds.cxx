@@ -41,6 +41,10 @@ int vtkDiskSeeds::RequestData(
     galaxy::SeedData data;
     data.galaxy = galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));
     data.component = this->Component.empty() ? firstDisk(data.galaxy.description) : this->Component;
+    if (this->Sampling != FROM_DESCRIPTION)
+    {
+      data.description().sampling = static_cast<galaxy::SeedSampling>(this->Sampling);
+    }
     galaxy::BuildOptions options;
     options.particleScale = this->ParticleScale;
     options.seed = static_cast<std::uint64_t>(this->RandomSeed);
@@ -53,6 +57,7 @@ void vtkDiskSeeds::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Component: " << this->Component << "\n";
+  os << indent << "Sampling: " << this->Sampling << "\n";
   os << indent << "ParticleScale: " << this->ParticleScale << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
 }

@@ -2,10 +2,11 @@
  * @class   vtkDiskSeeds
  * @brief   seeds of one disc component of a galaxy
  *
- * Draws points uniformly over the warped disc and lights them from the component's images (Dykes et
- * al., section on building the 3D model). Input: a galaxy from vtkGalaxyReader. Output: points in
- * kpc with `Radius` (kpc), `Azimuth` (radians from the receding major axis), `Intensity` (0 to the
- * layers' weights), `Light` (kpc^2: intensity times the seed's share of sky), `Color`, `Draw`.
+ * Draws points on the warped disc, in proportion to the light of the component's images or evenly
+ * over the surface (Dykes et al., section on building the 3D model), and lights them from the
+ * images. Input: a galaxy from vtkGalaxyReader. Output: points in kpc with `Radius` (kpc),
+ * `Azimuth` (radians from the receding major axis), `Intensity` (0 to the layers' weights), `Light`
+ * (kpc^2: the seed's part of its pixel's flux), `Color`, `Draw`.
  */
 #ifndef vtkDiskSeeds_h
 #define vtkDiskSeeds_h
@@ -26,6 +27,17 @@ public:
   /// Name of the component; empty (default): the first disc.
   vtkSetStdStringFromCharMacro(Component);
   vtkGetCharFromStdStringMacro(Component);
+  ///@}
+  enum Samplings
+  {
+    FROM_DESCRIPTION = -1,
+    IMAGE_DRIVEN = 0,
+    SURFACE_UNIFORM = 1,
+  };
+  ///@{
+  /// Where seeds are drawn. Default FROM_DESCRIPTION: as the .galaxy file says.
+  vtkSetClampMacro(Sampling, int, FROM_DESCRIPTION, SURFACE_UNIFORM);
+  vtkGetMacro(Sampling, int);
   ///@}
   ///@{
   /// A factor on the number of seeds, which leaves their summed light. Default 1.
@@ -51,6 +63,7 @@ private:
   void operator=(const vtkDiskSeeds&) = delete;
 
   std::string Component;
+  int Sampling = FROM_DESCRIPTION;
   double ParticleScale = 1;
   int RandomSeed = 1;
 };

@@ -1,6 +1,7 @@
 #include "vtkDiskThickness.h"
 
 #include "Filters/SeedData.h"
+#include "Readers/Formats/WidthTable.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
@@ -8,29 +9,55 @@
 
 vtkStandardNewMacro(vtkDiskThickness);
 
+namespace
+{
+galaxy::ThicknessDescription describe(vtkDiskThickness& filter)
+{
+  galaxy::ThicknessDescription thickness;
+  thickness.model = static_cast<galaxy::ThicknessModel>(filter.GetModel());
+  thickness.law = static_cast<galaxy::LayerLaw>(filter.GetLaw());
+  thickness.reading = static_cast<galaxy::TaperReading>(filter.GetReading());
+  thickness.childLight = static_cast<galaxy::ChildLight>(filter.GetChildLight());
+  thickness.children = filter.GetChildren();
+  thickness.maximumChildren = filter.GetMaximumChildren();
+  thickness.sigma = filter.GetSigma();
+  thickness.compression = filter.GetCompression();
+  thickness.scaleLength = filter.GetScaleLength();
+  thickness.scaleHeight = filter.GetScaleHeight();
+  thickness.taperThickness = filter.GetTaperThickness();
+  thickness.edgeRadius = filter.GetEdgeRadius();
+  thickness.flareLength = filter.GetFlareLength();
+  thickness.referenceVelocity = filter.GetReferenceVelocity();
+  thickness.velocityExponent = filter.GetVelocityExponent();
+  thickness.gasDispersion = filter.GetGasDispersion();
+  thickness.stellarSurfaceDensity = filter.GetStellarSurfaceDensity();
+  thickness.gasSurfaceDensity = filter.GetGasSurfaceDensity();
+  thickness.fwhmCentre = filter.GetFWHMCentre();
+  thickness.fwhmEdge = filter.GetFWHMEdge();
+  thickness.fwhmMaximum = filter.GetFWHMMaximum();
+  const char* table = filter.GetProfileTable();
+  if (table != nullptr && *table != '\0')
+  {
+    thickness.profileTable = galaxy::readWidthTable(table);
+  }
+  return thickness;
+}
+} // namespace
+
+vtkDiskThickness::~vtkDiskThickness()
+{
+  this->SetProfileTable(nullptr);
+}
+
 int vtkDiskThickness::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto change = [this](galaxy::ComponentDescription& component) {
     component.hasDust = false;
-    if (this->Model == FROM_DESCRIPTION)
+    if (this->Model != FROM_DESCRIPTION)
     {
-      return;
+      component.thickness = describe(*this);
     }
-    galaxy::ThicknessDescription thickness;
-    thickness.model = static_cast<galaxy::ThicknessModel>(this->Model);
-    thickness.law = static_cast<galaxy::LayerLaw>(this->Law);
-    thickness.children = this->Children;
-    thickness.sigma = this->Sigma;
-    thickness.scaleLength = this->ScaleLength;
-    thickness.scaleHeight = this->ScaleHeight;
-    thickness.fwhmCentre = this->FWHMCentre;
-    thickness.fwhmEdge = this->FWHMEdge;
-    thickness.edgeRadius = this->EdgeRadius;
-    thickness.flareLength = this->FlareLength;
-    thickness.referenceVelocity = this->ReferenceVelocity;
-    thickness.gasDispersion = this->GasDispersion;
-    component.thickness = thickness;
   };
   return galaxy::reportErrors(this, [&] {
     galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed, change,
@@ -43,15 +70,25 @@ void vtkDiskThickness::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Model: " << this->Model << "\n";
   os << indent << "Law: " << this->Law << "\n";
+  os << indent << "Reading: " << this->Reading << "\n";
+  os << indent << "ChildLight: " << this->ChildLight << "\n";
   os << indent << "Children: " << this->Children << "\n";
+  os << indent << "MaximumChildren: " << this->MaximumChildren << "\n";
+  os << indent << "Compression: " << this->Compression << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "ScaleLength: " << this->ScaleLength << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
+  os << indent << "TaperThickness: " << this->TaperThickness << "\n";
   os << indent << "FWHMCentre: " << this->FWHMCentre << "\n";
   os << indent << "FWHMEdge: " << this->FWHMEdge << "\n";
   os << indent << "EdgeRadius: " << this->EdgeRadius << "\n";
   os << indent << "FlareLength: " << this->FlareLength << "\n";
+  os << indent << "FWHMMaximum: " << this->FWHMMaximum << "\n";
   os << indent << "ReferenceVelocity: " << this->ReferenceVelocity << "\n";
+  os << indent << "VelocityExponent: " << this->VelocityExponent << "\n";
+  os << indent << "ProfileTable: " << (this->ProfileTable ? this->ProfileTable : "none") << "\n";
   os << indent << "GasDispersion: " << this->GasDispersion << "\n";
+  os << indent << "StellarSurfaceDensity: " << this->StellarSurfaceDensity << "\n";
+  os << indent << "GasSurfaceDensity: " << this->GasSurfaceDensity << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
 }

@@ -5,7 +5,8 @@
  * Spreads every seed into children by one of the thickness models (Dykes et al., models 1 to 3;
  * hydrostatic equilibrium). The children of a seed share its light and keep its colour. Input:
  * seeds from vtkDiskSeeds. Output: particles. With Model FROM_DESCRIPTION the .galaxy file decides
- * and the other parameters are unused.
+ * and the other parameters are unused. A parameter out of its range is an error that names it as
+ * the .galaxy file does: ScaleLength is scale_length.
  */
 #ifndef vtkDiskThickness_h
 #define vtkDiskThickness_h
@@ -32,7 +33,7 @@ public:
   ///@{
   /// The thickness model; RINGS: the ring table's own scale height and law. Default
   /// FROM_DESCRIPTION.
-  vtkSetClampMacro(Model, int, FROM_DESCRIPTION, RINGS);
+  vtkSetMacro(Model, int);
   vtkGetMacro(Model, int);
   ///@}
   ///@{
@@ -42,9 +43,30 @@ public:
   vtkGetMacro(Law, int);
   ///@}
   ///@{
+  /// Of the paper's formula (Tapered): 0 (default) the children fall as exp(-R/H_r) and are H_z
+  /// thick, 1 they fall as exp(-R/H_z) and spread by Sigma along every axis.
+  vtkSetMacro(Reading, int);
+  vtkGetMacro(Reading, int);
+  ///@}
+  ///@{
+  /// Whether the children of a seed share its light, 0 (default), or have all of it each, 1.
+  vtkSetMacro(ChildLight, int);
+  vtkGetMacro(ChildLight, int);
+  ///@}
+  ///@{
   /// Mean number of children: at intensity 1 (Gaussian) or at R = 0 (the others). Default 1.
   vtkSetMacro(Children, double);
   vtkGetMacro(Children, double);
+  ///@}
+  ///@{
+  /// Most children of a seed. Default 1000.
+  vtkSetMacro(MaximumChildren, int);
+  vtkGetMacro(MaximumChildren, int);
+  ///@}
+  ///@{
+  /// Exponent from the image's intensity to the seed's, 0 to 1 (Gaussian). Default 0.5.
+  vtkSetMacro(Compression, double);
+  vtkGetMacro(Compression, double);
   ///@}
   ///@{
   /// Standard deviation, kpc: along every axis (Gaussian) or in the plane. Default 0.1.
@@ -60,6 +82,12 @@ public:
   /// Axial scale height H_z, kpc (Tapered, Hydrostatic). Default 0.34.
   vtkSetMacro(ScaleHeight, double);
   vtkGetMacro(ScaleHeight, double);
+  ///@}
+  ///@{
+  /// Whether the thickness falls as exp(-R/H_r) too (Tapered). Default off.
+  vtkSetMacro(TaperThickness, bool);
+  vtkGetMacro(TaperThickness, bool);
+  vtkBooleanMacro(TaperThickness, bool);
   ///@}
   ///@{
   /// Full width at half maximum at the centre, kpc (Flared). Default 0.3.
@@ -82,14 +110,40 @@ public:
   vtkGetMacro(FlareLength, double);
   ///@}
   ///@{
+  /// Largest full width at half maximum, kpc (Flared). Default 4.
+  vtkSetMacro(FWHMMaximum, double);
+  vtkGetMacro(FWHMMaximum, double);
+  ///@}
+  ///@{
   /// Rotation velocity at which the widths hold, km/s (Flared). Default 189.
   vtkSetMacro(ReferenceVelocity, double);
   vtkGetMacro(ReferenceVelocity, double);
   ///@}
   ///@{
+  /// Exponent of reference over rotation velocity (Flared). Default 1.
+  vtkSetMacro(VelocityExponent, double);
+  vtkGetMacro(VelocityExponent, double);
+  ///@}
+  ///@{
+  /// File of rows of radius and full width at half maximum, kpc, in place of the formula (Flared);
+  /// none by default.
+  vtkSetFilePathMacro(ProfileTable);
+  vtkGetFilePathMacro(ProfileTable);
+  ///@}
+  ///@{
   /// Velocity dispersion of the gas, km/s (Hydrostatic). Default 8.
   vtkSetMacro(GasDispersion, double);
   vtkGetMacro(GasDispersion, double);
+  ///@}
+  ///@{
+  /// Surface density of the stars at the centre, Msun/pc^2 (Hydrostatic). Default 500.
+  vtkSetMacro(StellarSurfaceDensity, double);
+  vtkGetMacro(StellarSurfaceDensity, double);
+  ///@}
+  ///@{
+  /// Surface density of the gas, Msun/pc^2 (Hydrostatic). Default 10.
+  vtkSetMacro(GasSurfaceDensity, double);
+  vtkGetMacro(GasSurfaceDensity, double);
   ///@}
   ///@{
   /// Another seed gives other particles. Default 1.
@@ -99,7 +153,7 @@ public:
 
 protected:
   vtkDiskThickness() = default;
-  ~vtkDiskThickness() override = default;
+  ~vtkDiskThickness() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -110,16 +164,26 @@ private:
 
   int Model = FROM_DESCRIPTION;
   int Law = 1;
+  int Reading = 0;
+  int ChildLight = 0;
   double Children = 1;
+  int MaximumChildren = 1000;
+  double Compression = 0.5;
   double Sigma = 0.1;
   double ScaleLength = 2.5;
   double ScaleHeight = 0.34;
+  bool TaperThickness = false;
   double FWHMCentre = 0.3;
   double FWHMEdge = 0.8;
   double EdgeRadius = 10;
   double FlareLength = 17.4;
+  double FWHMMaximum = 4;
   double ReferenceVelocity = 189;
+  double VelocityExponent = 1;
+  char* ProfileTable = nullptr;
   double GasDispersion = 8;
+  double StellarSurfaceDensity = 500;
+  double GasSurfaceDensity = 10;
   int RandomSeed = 1;
 };
 

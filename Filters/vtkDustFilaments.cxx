@@ -26,6 +26,15 @@ int vtkDustFilaments::RequestData(
     dust.verticalDispersion = this->VerticalDispersion;
     dust.scaleHeight = this->ScaleHeight;
     dust.dampingTime = this->DampingTime;
+    dust.noise = static_cast<galaxy::FractalKind>(this->Noise);
+    dust.octaves = this->Octaves;
+    dust.lacunarity = this->Lacunarity;
+    dust.hurst = this->Hurst;
+    dust.contrast = this->Contrast;
+    dust.noiseScale = this->NoiseScale;
+    dust.winding = this->Winding;
+    dust.children = this->Children;
+    dust.spread = this->Spread;
     component.dust = dust;
   };
   return galaxy::reportErrors(this, [&] {
@@ -44,5 +53,14 @@ void vtkDustFilaments::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VerticalDispersion: " << this->VerticalDispersion << "\n";
   os << indent << "ScaleHeight: " << this->ScaleHeight << "\n";
   os << indent << "DampingTime: " << this->DampingTime << "\n";
+  os << indent << "Noise: " << this->Noise << "\n";
+  os << indent << "Octaves: " << this->Octaves << "\n";
+  os << indent << "Lacunarity: " << this->Lacunarity << "\n";
+  os << indent << "Hurst: " << this->Hurst << "\n";
+  os << indent << "Contrast: " << this->Contrast << "\n";
+  os << indent << "NoiseScale: " << this->NoiseScale << "\n";
+  os << indent << "Winding: " << this->Winding << "\n";
+  os << indent << "Children: " << this->Children << "\n";
+  os << indent << "Spread: " << this->Spread << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
 }

@@ -4,9 +4,9 @@
  *
  * From every seed a random walk of absorbing particles along the velocity of its ring or along the
  * disc's rotation (Dykes et al., dust models 1 and 2), held to the plane by an oscillator in
- * thermal equilibrium. Input: seeds from vtkDiskSeeds. Output: particles whose Intensity is an
- * absorption cross-section in kpc^2. With Model FROM_DESCRIPTION the .galaxy file decides and the
- * other parameters are unused.
+ * thermal equilibrium; or a layer of clouds by fractal noise. Input: seeds from vtkDiskSeeds.
+ * Output: particles whose Intensity is an absorption cross-section in kpc^2. With Model
+ * FROM_DESCRIPTION the .galaxy file decides and the other parameters are unused.
  */
 #ifndef vtkDustFilaments_h
 #define vtkDustFilaments_h
@@ -26,10 +26,16 @@ public:
     FROM_DESCRIPTION = -1,
     RING_VELOCITY = 0,
     DISK_ROTATION = 1,
+    FRACTAL = 2,
+  };
+  enum Noises
+  {
+    FBM = 0,
+    RIDGED = 1,
   };
   ///@{
   /// The dust model. Default FROM_DESCRIPTION.
-  vtkSetClampMacro(Model, int, FROM_DESCRIPTION, DISK_ROTATION);
+  vtkSetClampMacro(Model, int, FROM_DESCRIPTION, FRACTAL);
   vtkGetMacro(Model, int);
   ///@}
   ///@{
@@ -63,7 +69,53 @@ public:
   vtkGetMacro(DampingTime, double);
   ///@}
   ///@{
-  /// Another seed gives other filaments. Default 1.
+  /// Of FRACTAL: the kind of noise, FBM (default) or RIDGED.
+  vtkSetClampMacro(Noise, int, FBM, RIDGED);
+  vtkGetMacro(Noise, int);
+  ///@}
+  ///@{
+  /// Of FRACTAL: scales that are summed, 1 to 16. Default 5.
+  vtkSetMacro(Octaves, int);
+  vtkGetMacro(Octaves, int);
+  ///@}
+  ///@{
+  /// Of FRACTAL: how many times smaller each scale is than the one before, 1 to 4. Default 2.
+  vtkSetMacro(Lacunarity, double);
+  vtkGetMacro(Lacunarity, double);
+  ///@}
+  ///@{
+  /// Of FRACTAL: H, each scale being weaker than the one before by lacunarity^-H. Default 0.33.
+  vtkSetMacro(Hurst, double);
+  vtkGetMacro(Hurst, double);
+  ///@}
+  ///@{
+  /// Of FRACTAL: s of the density exp(s g), g the noise, 0 to 5. Default 1.
+  vtkSetMacro(Contrast, double);
+  vtkGetMacro(Contrast, double);
+  ///@}
+  ///@{
+  /// Of FRACTAL: size of the largest structure, kpc. Default 0.5.
+  vtkSetMacro(NoiseScale, double);
+  vtkGetMacro(NoiseScale, double);
+  ///@}
+  ///@{
+  /// Of FRACTAL: shear of the structure; positive trails the rotation. Default 0.
+  vtkSetMacro(Winding, double);
+  vtkGetMacro(Winding, double);
+  ///@}
+  ///@{
+  /// Of FRACTAL: particles a seed. Default 8.
+  vtkSetMacro(Children, int);
+  vtkGetMacro(Children, int);
+  ///@}
+  ///@{
+  /// Of FRACTAL: rms displacement of a seed's particles in the plane, on each axis, kpc. Default
+  /// 0.05.
+  vtkSetMacro(Spread, double);
+  vtkGetMacro(Spread, double);
+  ///@}
+  ///@{
+  /// Another seed gives other filaments and clouds. Default 1.
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
   ///@}
@@ -86,6 +138,15 @@ private:
   double VerticalDispersion = 6;
   double ScaleHeight = 0.1;
   double DampingTime = 10;
+  int Noise = FBM;
+  int Octaves = 5;
+  double Lacunarity = 2;
+  double Hurst = 0.33;
+  double Contrast = 1;
+  double NoiseScale = 0.5;
+  double Winding = 0;
+  int Children = 8;
+  double Spread = 0.05;
   int RandomSeed = 1;
 };
 

@@ -29,9 +29,42 @@ std::string inWords(const galaxy::BuildReport& report)
     {
       text << " from " << component.seedsKept << " of " << component.seedsDrawn << " seeds";
     }
-    text << "; " << component.imageSeconds + component.seedSeconds + component.thicknessSeconds
-         << " s\n";
+    if (component.flux > 0)
+    {
+      text << "; " << std::setprecision(1) << 100 * component.light / component.flux
+           << " % of its images' light lies on the disc" << std::setprecision(2);
+    }
+    if (component.bins > 1)
+    {
+      text << "; so few seeds that pixels were joined " << component.bins << " x "
+           << component.bins;
+    }
+    text << "; " << component.seconds.total() << " s\n";
   }
+  return text.str();
+}
+
+std::string asJSON(const galaxy::BuildReport& report)
+{
+  std::ostringstream text;
+  text << std::setprecision(9) << "[";
+  for (const galaxy::ComponentReport& component : report.components)
+  {
+    const galaxy::StageSeconds& seconds = component.seconds;
+    text << (&component == &report.components.front() ? "" : ", ")
+         << "{\"component\": " << std::quoted(component.name)
+         << ", \"seeds_drawn\": " << component.seedsDrawn
+         << ", \"seeds_kept\": " << component.seedsKept
+         << ", \"particles\": " << component.particles << ", \"filled\": " << component.filled
+         << ", \"bins\": " << component.bins << ", \"flux\": " << component.flux
+         << ", \"light\": " << component.light
+         << ", \"smoothing_length\": " << component.smoothingLength
+         << ", \"seconds\": {\"images\": " << seconds.images << ", \"light\": " << seconds.light
+         << ", \"seeds\": " << seconds.seeds << ", \"thickness\": " << seconds.thickness
+         << ", \"photometry\": " << seconds.photometry << ", \"smoothing\": " << seconds.smoothing
+         << "}}";
+  }
+  text << "]";
   return text.str();
 }
 
@@ -72,6 +105,7 @@ int vtkGalaxyModel::RequestData(
     options.particleScale = this->ParticleScale;
     options.seed = static_cast<std::uint64_t>(this->RandomSeed);
     options.velocities = this->Velocities;
+    options.viewPixel = this->ViewPixel;
     options.progress = [this](double fraction) {
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();
@@ -79,6 +113,7 @@ int vtkGalaxyModel::RequestData(
     galaxy::BuildReport report;
     galaxy::Particles particles = galaxy::buildGalaxy(input, options, &report);
     this->Report = inWords(report);
+    this->ReportJSON = asJSON(report);
     const std::string dark = darkOnes(report);
     if (!dark.empty() && !report.aborted)
     {
@@ -99,6 +134,7 @@ void vtkGalaxyModel::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ParticleScale: " << this->ParticleScale << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "ViewPixel: " << this->ViewPixel << "\n";
   os << indent << "Velocities: " << this->Velocities << "\n";
   os << indent << "Report: " << this->Report << "\n";
 }

@@ -37,8 +37,18 @@ public:
   vtkSetMacro(Velocities, bool);
   vtkGetMacro(Velocities, bool);
   ///@}
-  /// Seeds, particles and seconds by component of the last execution.
+  ///@{
+  /// Side of the pixels that the model will be seen with, kpc: components of particles = "Auto" are
+  /// made no finer than that. 0 (default): as fine as their images.
+  vtkSetMacro(ViewPixel, double);
+  vtkGetMacro(ViewPixel, double);
+  ///@}
+  ///@{
+  /// Seeds, particles, light and seconds by component of the last execution: in words, and as a
+  /// JSON list with the seconds by stage.
   const char* GetReport() { return this->Report.c_str(); }
+  const char* GetReportJSON() { return this->ReportJSON.c_str(); }
+  ///@}
 
 protected:
   vtkGalaxyModel() = default;
@@ -55,7 +65,9 @@ private:
   double ParticleScale = 1;
   int RandomSeed = 1;
   bool Velocities = false;
+  double ViewPixel = 0;
   std::string Report;
+  std::string ReportJSON;
 };
 
 #endif

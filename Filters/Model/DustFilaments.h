@@ -6,7 +6,10 @@
 
 namespace galaxy
 {
-/// Filaments of dust: from every seed a random walk of up to `steps` particles, the first above or
+/// Dust by its model: a random walk that leaves a filament at every seed, or fractal clouds
+/// (FractalDust).
+///
+/// Filaments: from every seed a random walk of up to `steps` particles, the first above or
 /// below the seed itself, in the coordinates (R, theta, z) of the rings, so that they follow the
 /// warp.
 ///
@@ -19,17 +22,20 @@ namespace galaxy
 /// nu = sigma_w / h_d, by the BAOAB scheme (Leimkuhler & Matthews 2013), whose heights have the rms
 /// h_d whatever the step, as long as nu dt < 2.
 /// A filament ends where it would leave the radii its seeds were drawn from. Heights stay below
-/// normalFocalHeight. The particles of a filament share the seed's light equally.
+/// normalFocalHeight. The particles of a filament share the seed's light equally; their velocity is
+/// that of the disc and the peculiar one in the plane (u) and across it (w).
 
-/// Throws Error (file, component) where a step could have nu dt > 1, or no length in time.
+/// Throws Error (file, component) naming the key that is out of range, and where a step could have
+/// nu dt > 1, or no length in time.
 void requireStableFilaments(const Seeds& seeds, const TiltedDisk& disk,
   const ComponentDescription& component, const std::string& file);
 
-/// How long every filament gets.
+/// How many particles every seed gets. A filament is only walked where an edge is within reach of
+/// the largest normal deviates.
 ParticleStarts countFilaments(const Seeds& seeds, const TiltedDisk& disk,
   const ComponentDescription& component, const RandomKey& key);
 
-/// Writes the filaments, their light being `lightFactor` times the seeds'. `starts` must come from
+/// Writes the particles, their light being `lightFactor` times the seeds'. `starts` must come from
 /// countFilaments with the same arguments.
 void placeFilaments(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
   const ComponentDescription& component, const RandomKey& key, double lightFactor,

@@ -1,19 +1,20 @@
 #include "Filters/Model/GalaxyBuilder.h"
 
-#include "Filters/Model/CombineImages.h"
 #include "Filters/Model/DustFilaments.h"
-#include "Filters/Model/ImageCleaning.h"
+#include "Filters/Model/ImageStore.h"
 #include "Filters/Model/ParticleWriter.h"
+#include "Filters/Model/Photometry.h"
+#include "Filters/Model/PixelFill.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/Model/Spheroid.h"
 #include "Filters/Model/Thickness.h"
+#include "Filters/Model/ThicknessProfile.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <memory>
+#include <optional>
 
 namespace galaxy
 {
@@ -35,42 +36,70 @@ private:
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
 };
 
-/// One component on its way from description to particles.
-struct Plan
-{
-  std::size_t index = 0; ///< in the description
-  Seeds seeds;
-  ParticleStarts starts; ///< of discs
-  std::size_t particles = 0;
-  double smoothingLength = 0;
-};
-
 ComponentInfo infoOf(const ComponentDescription& component)
 {
   return { component.name, component.role == ComponentRole::Absorbs, component.absorption,
     component.size, component.brightness };
 }
 
-/// Builds components of one galaxy; images are prepared once, when first asked for.
+bool usesImages(const ComponentDescription& component)
+{
+  return component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
+}
+
+double largestRadius(const GalaxyDescription& galaxy, const TiltedDisk& disk)
+{
+  double largest = 0;
+  for (const ComponentDescription& component : galaxy.components)
+  {
+    largest = std::max(largest, outerRadiusOf(component, disk));
+  }
+  return largest;
+}
+
+/// Sums in blocks, so that they are the same for any number of threads.
+double sumOf(const Buffer<float>& values, std::size_t first, std::size_t last)
+{
+  constexpr std::size_t block = 65536;
+  std::vector<double> sums((last - first + block - 1) / block);
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < sums.size(); ++k)
+  {
+    const std::size_t start = first + k * block, end = std::min(last, start + block);
+    double sum = 0;
+    for (std::size_t i = start; i < end; ++i)
+    {
+      sum += values[i];
+    }
+    sums[k] = sum;
+  }
+  double sum = 0;
+  for (const double part : sums)
+  {
+    sum += part;
+  }
+  return sum;
+}
+
+/// Builds components of one galaxy.
 class Builder
 {
 public:
-  Builder(const Galaxy& input, const BuildOptions& options)
+  Builder(const Galaxy& input, const BuildOptions& options, BuildReport& report)
     : galaxy(input.description)
-    , images(input.images)
     , options(options)
-    , sky(this->galaxy.centre, this->galaxy.distance)
+    , report(report)
     , disk(input.rings, this->galaxy.distance, this->galaxy.spin, this->galaxy.interpolation,
         this->galaxy.beyondLastRing)
+    , store(input, this->disk, largestRadius(this->galaxy, this->disk))
   {
-    if (this->images.size() != this->galaxy.images.size())
-    {
-      throw Error(this->galaxy.file, "image", "not every described image was given");
-    }
     if (this->galaxy.components.size() > 256)
     {
       throw Error(this->galaxy.file, "component", "a galaxy can have 256 components at most");
     }
+    this->report = {};
+    this->report.components.resize(this->galaxy.components.size());
+    this->particles.velocity.resize(0);
   }
 
   std::size_t indexOf(const std::string& name) const
@@ -85,15 +114,30 @@ public:
     return found - components.begin();
   }
 
-  void prepareImages(const ComponentDescription& component)
+  Particles build()
   {
-    if (usesImages(component))
+    this->proceed();
+    for (std::size_t k = 0; k < this->galaxy.components.size(); ++k)
     {
-      for (const LayerDescription& layer : component.layers)
+      const ComponentDescription& component = this->galaxy.components[k];
+      if (component.type == ComponentType::Disk)
       {
-        this->prepared(layer.image);
+        this->appendDisk(k);
+      }
+      else if (component.spheroid.lightFrom.empty())
+      {
+        this->appendSpheroid(k, nullptr);
       }
     }
+    for (const ComponentDescription& component : this->galaxy.components)
+    {
+      this->particles.components.push_back(infoOf(component));
+    }
+    if (this->options.progress && !this->options.progress(1))
+    {
+      throw Aborted(this->galaxy.file, "", "the model was given up");
+    }
+    return std::move(this->particles);
   }
 
   Seeds seedsOf(std::size_t index)
@@ -103,68 +147,32 @@ public:
     {
       throw Error(this->galaxy.file, component.name, "only components of type Disk have seeds");
     }
-    std::vector<SeedLayer> layers;
-    if (usesImages(component))
-    {
-      for (const LayerDescription& layer : component.layers)
-      {
-        const SkyImage& image = this->prepared(layer.image);
-        layers.push_back({ &image, IntensityScale(layer, image.values(), this->galaxy.file),
-          layer.threshold, layer.weight, layer.color });
-      }
-    }
-    return sampleSeeds(this->disk, component, layers, this->keyOf(index),
-      this->scaledCount(component), this->galaxy.file);
+    std::optional<LightMap> map = this->lightOf(index, false);
+    return this->sample(index, map);
   }
 
-  /// How many particles the component gets, and how large they are.
-  void count(Plan& plan, const Seeds& seeds) const
+  Particles fromSeeds(std::size_t index, const Seeds& seeds)
   {
-    const ComponentDescription& component = this->galaxy.components[plan.index];
-    const RandomKey key = this->keyOf(plan.index);
-    if (component.type == ComponentType::Spheroid)
-    {
-      plan.particles = this->scaledCount(component);
-      plan.smoothingLength = spheroidSmoothingLength(component, plan.particles);
-      return;
-    }
-    if (component.hasDust)
-    {
-      requireStableFilaments(seeds, this->disk, component, this->galaxy.file);
-      plan.starts = countFilaments(seeds, this->disk, component, key);
-      plan.smoothingLength = filamentSmoothingLength(component);
-    }
-    else
-    {
-      plan.starts = countChildren(seeds, this->disk, component, key, this->galaxy.file);
-      plan.smoothingLength = diskSmoothingLength(seeds, plan.starts, this->disk, component);
-    }
-    plan.particles = plan.starts[seeds.size()];
-  }
-
-  void place(const Plan& plan, const Seeds& seeds, const ParticleWriter& writer) const
-  {
-    const ComponentDescription& component = this->galaxy.components[plan.index];
-    const RandomKey key = this->keyOf(plan.index);
-    const double factor = component.role == ComponentRole::Absorbs ? component.opticalDepth : 1;
-    if (component.type == ComponentType::Spheroid)
-    {
-      placeSpheroid(this->disk, component, key, plan.particles, factor, writer);
-    }
-    else if (component.hasDust)
-    {
-      placeFilaments(seeds, plan.starts, this->disk, component, key, factor, writer);
-    }
-    else
-    {
-      placeChildren(seeds, plan.starts, this->disk, component, key, factor, writer);
-    }
+    this->report.components[index].seedsKept = seeds.size();
+    this->placeDisk(index, seeds);
+    this->smooth(index, 0);
+    this->particles.components = { infoOf(this->galaxy.components[index]) };
+    std::fill(this->particles.component.begin(), this->particles.component.end(), 0);
+    return std::move(this->particles);
   }
 
 private:
-  static bool usesImages(const ComponentDescription& component)
+  /// Says that another stage is done; its seconds.
+  double proceed()
   {
-    return component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
+    constexpr double stages = 6;
+    const double all = stages * std::max<std::size_t>(1, this->galaxy.components.size());
+    const double fraction = std::min(1.0, this->stagesDone++ / all);
+    if (this->options.progress && !this->options.progress(fraction))
+    {
+      throw Aborted(this->galaxy.file, "", "the model was given up");
+    }
+    return this->watch.lap();
   }
 
   RandomKey keyOf(std::size_t index) const
@@ -172,9 +180,9 @@ private:
     return { this->options.seed, static_cast<std::uint32_t>(index) };
   }
 
-  std::size_t scaledCount(const ComponentDescription& component) const
+  std::size_t scaled(const ComponentDescription& component, double particles) const
   {
-    const double count = this->options.particleScale * static_cast<double>(component.particles);
+    const double count = this->options.particleScale * particles;
     if (!(count >= 0 && count < 1e15))
     {
       throw Error(this->galaxy.file, component.name, "particles: no usable number");
@@ -182,153 +190,240 @@ private:
     return static_cast<std::size_t>(std::llround(count));
   }
 
-  const SkyImage& prepared(const std::string& name)
+  double outerRadius(const ComponentDescription& component) const
   {
-    std::unique_ptr<SkyImage>& image = this->skyImages[name];
-    if (!image)
-    {
-      const std::size_t index = this->imageIndex(name);
-      const ImageDescription& description = this->galaxy.images[index];
-      image = std::make_unique<SkyImage>(description.combine.empty()
-          ? cleanedImage(this->images[index], description)
-          : this->combined(description),
-        this->sky, this->largestRadius());
-    }
-    return *image;
+    return outerRadiusOf(component, this->disk);
   }
 
-  std::size_t imageIndex(const std::string& name) const
+  DiskInverse inverseOf(const ComponentDescription& component) const
   {
-    const auto& known = this->galaxy.images;
-    const auto found = std::find_if(known.begin(), known.end(),
-      [&name](const ImageDescription& description) { return description.name == name; });
-    if (found == known.end())
-    {
-      throw Error(this->galaxy.file, name, "an image is named that is not described");
-    }
-    return found - known.begin();
+    return { this->disk, std::max(0.0, component.innerRadius), this->outerRadius(component) };
   }
 
-  CleanImage combined(const ImageDescription& description) const
+  /// What the component should look like, less what spheroids take; they are built where `takes`.
+  std::optional<LightMap> lightOf(std::size_t index, bool builds)
   {
-    std::vector<CombineSource> sources;
-    for (const std::string& name : description.combine)
+    const ComponentDescription& component = this->galaxy.components[index];
+    if (!usesImages(component))
     {
-      const std::size_t index = this->imageIndex(name);
-      const Image& image = this->images[index];
-      const ImageDescription& own = this->galaxy.images[index];
-      CleanImage clean = cleanedImage(image, own);
-      const Resolution resolution = resolutionOf(image, own, clean.grid);
-      sources.push_back({ name, std::move(clean), resolution });
+      return std::nullopt;
     }
-    return combineImages(sources, description.signalAbove, this->galaxy.file, description.name);
+    StageSeconds& seconds = this->report.components[index].seconds;
+    this->store.prepare(component);
+    seconds.images += this->proceed();
+    std::optional<LightMap> map = this->store.lightOf(component, this->outerRadius(component));
+    this->report.components[index].flux = map->totalFlux() * lightFactor(component);
+    seconds.light += this->proceed();
+    for (std::size_t k = 0; k < this->galaxy.components.size(); ++k)
+    {
+      const ComponentDescription& spheroid = this->galaxy.components[k];
+      if (spheroid.type == ComponentType::Spheroid && spheroid.spheroid.lightFrom == component.name)
+      {
+        const std::size_t before = this->particles.size();
+        this->appendSpheroid(k, &*map);
+        if (!builds)
+        {
+          resizeParticles(this->particles, before, this->options.velocities);
+        }
+      }
+    }
+    return map;
   }
 
-  double largestRadius() const
+  /// Seeds for an automatic count: light in effective beams, (sum F)^2 / sum F^2 of them, each with
+  /// noise^-2.
+  double automaticCount(const ComponentDescription& component, const LightMap& map) const
   {
-    double largest = 0;
-    for (const ComponentDescription& component : this->galaxy.components)
+    double sum = 0, squares = 0;
+    for (std::uint32_t pixel = 0; pixel < map.size(); ++pixel)
     {
-      largest = std::max(largest, outerRadiusOf(component, this->disk));
+      sum += map.flux(pixel);
+      squares += double(map.flux(pixel)) * map.flux(pixel);
     }
-    return largest;
+    constexpr double gaussianArea = 1.1330900354567985; // pi / (4 ln 2)
+    const double beam =
+      std::max({ this->store.beamOf(component), map.pixelSide(), this->options.viewPixel });
+    const double effectiveArea =
+      squares > 0 ? sum * sum / squares * map.pixelSide() * map.pixelSide() : 0;
+    return effectiveArea / (gaussianArea * beam * beam) / (component.noise * component.noise);
+  }
+
+  Seeds sample(std::size_t index, std::optional<LightMap>& map)
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    ComponentReport& done = this->report.components[index];
+    const std::size_t count = this->scaled(component,
+      component.automaticCount && map ? this->automaticCount(component, *map)
+                                      : static_cast<double>(component.particles));
+    if (map && component.normalizeAt != NormalizeAt::None)
+    {
+      const DiskInverse inverse = this->inverseOf(component);
+      while (map->litPixels(inverse) > std::max<std::size_t>(1, count))
+      {
+        map->halve();
+      }
+      done.bins = map->bins();
+    }
+    Seeds seeds = sampleSeeds(
+      this->disk, component, map ? &*map : nullptr, this->keyOf(index), count, this->galaxy.file);
+    done.seedsDrawn = seeds.drawn;
+    done.seedsKept = seeds.size();
+    done.seconds.seeds += this->proceed();
+    return seeds;
+  }
+
+  void appendDisk(std::size_t index)
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    ComponentReport& done = this->report.components[index];
+    done.name = component.name;
+    std::optional<LightMap> map = this->lightOf(index, true);
+    const std::size_t first = this->particles.size();
+    Seeds seeds = this->sample(index, map);
+    this->placeDisk(index, seeds);
+    done.seconds.thickness += this->proceed();
+    if (map && component.normalizeAt == NormalizeAt::Child && seeds.size() > 0)
+    {
+      this->normalize(index, *map, first);
+    }
+    done.seconds.photometry += this->proceed();
+    this->smooth(index, first);
+    done.light = sumOf(this->particles.intensity, first, this->particles.size());
+    done.seconds.smoothing += this->proceed();
+  }
+
+  void placeDisk(std::size_t index, const Seeds& seeds)
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    const RandomKey key = this->keyOf(index);
+    const std::size_t first = this->particles.size();
+    if (component.hasDust)
+    {
+      requireStableFilaments(seeds, this->disk, component, this->galaxy.file);
+    }
+    const ParticleStarts starts = component.hasDust
+      ? countFilaments(seeds, this->disk, component, key)
+      : countChildren(seeds, this->disk, component, key, this->galaxy.file);
+    resizeParticles(this->particles, first + starts[seeds.size()], this->options.velocities);
+    const ParticleWriter writer = this->writerOf(index, first);
+    const auto place = component.hasDust ? placeFilaments : placeChildren;
+    place(seeds, starts, this->disk, component, key, lightFactor(component), writer);
+  }
+
+  void normalize(std::size_t index, const LightMap& map, std::size_t first)
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    const std::size_t placed = this->particles.size();
+    const double typical =
+      sumOf(this->particles.intensity, first, placed) / static_cast<double>(placed - first);
+    Photometry photometry(map, typical);
+    photometry.weigh(this->particles, first, placed);
+    const DiskInverse inverse = this->inverseOf(component);
+    const std::vector<std::uint32_t> uncovered = photometry.uncovered(inverse);
+    resizeParticles(this->particles, placed + uncovered.size(), this->options.velocities);
+    fillPixels(uncovered, map, this->disk, inverse, this->layerOf(component), this->keyOf(index),
+      static_cast<float>(typical), this->writerOf(index, placed));
+    photometry.weigh(this->particles, placed, this->particles.size());
+    photometry.shine(this->particles, first, this->particles.size(), lightFactor(component));
+    this->report.components[index].filled = uncovered.size();
+  }
+
+  VerticalLayer layerOf(const ComponentDescription& component) const
+  {
+    if (component.hasDust)
+    {
+      return { LayerLaw::Gaussian, [&](double) { return component.dust.scaleHeight; } };
+    }
+    const ThicknessProfile profile(component.thickness, this->disk);
+    return { profile.law(), [profile](double r) { return profile.scaleHeight(r); } };
+  }
+
+  ParticleWriter writerOf(std::size_t index, std::size_t first)
+  {
+    return { this->particles, first, static_cast<std::uint8_t>(index) };
+  }
+
+  /// With a map, the spheroid takes its light from that.
+  void appendSpheroid(std::size_t index, LightMap* map)
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    ComponentReport& done = this->report.components[index];
+    done.name = component.name;
+    const std::size_t first = this->particles.size();
+    const std::size_t count = this->scaled(component, static_cast<double>(component.particles));
+    resizeParticles(this->particles, first + count, this->options.velocities);
+    placeSpheroid(this->disk, component, this->keyOf(index), count, lightFactor(component),
+      this->writerOf(index, first));
+    done.seconds.thickness += this->proceed();
+    if (map)
+    {
+      const double each =
+        component.spheroid.lightFraction * map->totalFlux() / static_cast<double>(count);
+      Photometry::takeLight(this->particles, first, first + count, each, *map);
+    }
+    done.seconds.photometry += this->proceed();
+    this->smooth(index, first);
+    done.light = sumOf(this->particles.intensity, first, this->particles.size());
+    done.seconds.smoothing += this->proceed();
+  }
+
+  void smooth(std::size_t index, std::size_t first)
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    ComponentReport& done = this->report.components[index];
+    const std::size_t last = this->particles.size();
+    setSmoothingLengths(this->particles, first, last, component.smoothing);
+    done.particles = last - first;
+    done.smoothingLength = done.particles > 0
+      ? sumOf(this->particles.smoothingLength, first, last) / static_cast<double>(done.particles)
+      : 0;
   }
 
   const GalaxyDescription& galaxy;
-  const std::vector<Image>& images;
   const BuildOptions& options;
-  SkyFrame sky;
+  BuildReport& report;
   TiltedDisk disk;
-  std::map<std::string, std::unique_ptr<SkyImage>> skyImages;
+  ImageStore store;
+  Particles particles;
+  Stopwatch watch;
+  double stagesDone = 0;
 };
-
-/// Tells the caller how far the work is; false once the caller wants no more of it.
-bool proceed(const BuildOptions& options, BuildReport& report, double fraction)
-{
-  report.aborted = report.aborted || (options.progress && !options.progress(fraction));
-  return !report.aborted;
-}
-
-std::vector<Plan> planComponents(const GalaxyDescription& galaxy, Builder& builder,
-  const BuildOptions& options, BuildReport& report)
-{
-  std::vector<Plan> plans;
-  const std::size_t count = galaxy.components.size();
-  for (std::size_t k = 0; k < count && proceed(options, report, 0.5 * k / count); ++k)
-  {
-    const ComponentDescription& component = galaxy.components[k];
-    ComponentReport done;
-    done.name = component.name;
-    Plan plan;
-    plan.index = k;
-    Stopwatch watch;
-    builder.prepareImages(component);
-    done.imageSeconds = watch.lap();
-    if (component.type == ComponentType::Disk)
-    {
-      plan.seeds = builder.seedsOf(k);
-    }
-    done.seedSeconds = watch.lap();
-    builder.count(plan, plan.seeds);
-    done.thicknessSeconds = watch.lap();
-    done.seedsDrawn = plan.seeds.drawn;
-    done.seedsKept = plan.seeds.size();
-    done.particles = plan.particles;
-    done.smoothingLength = plan.smoothingLength;
-    report.components.push_back(done);
-    plans.push_back(std::move(plan));
-  }
-  return plans;
-}
 } // namespace
 
 Particles buildGalaxy(const Galaxy& input, const BuildOptions& options, BuildReport* report)
 {
   BuildReport unread;
   BuildReport& done = report ? *report : unread;
-  done = {};
-  Builder builder(input, options);
-  std::vector<Plan> plans = planComponents(input.description, builder, options, done);
-  std::size_t total = 0;
-  for (const Plan& plan : plans)
+  try
   {
-    total += plan.particles;
+    return Builder(input, options, done).build();
   }
-  Particles particles = allocateParticles(total, options.velocities);
-  std::size_t offset = 0;
-  for (std::size_t k = 0; k < plans.size(); ++k)
+  catch (const Aborted&)
   {
-    if (!proceed(options, done, 0.5 + 0.5 * k / plans.size()))
-    {
-      break;
-    }
-    Stopwatch watch;
-    builder.place(plans[k], plans[k].seeds,
-      { particles, offset, static_cast<std::uint8_t>(k), plans[k].smoothingLength });
-    offset += plans[k].particles;
-    plans[k] = {};
-    particles.components.push_back(infoOf(input.description.components[k]));
-    done.components[k].thicknessSeconds += watch.lap();
+    done.aborted = true;
+    return {};
   }
-  return proceed(options, done, 1) ? std::move(particles) : Particles{};
 }
 
 Seeds buildSeeds(const Galaxy& input, const std::string& componentName, const BuildOptions& options)
 {
-  Builder builder(input, options);
-  return builder.seedsOf(builder.indexOf(componentName));
+  BuildReport report;
+  try
+  {
+    Builder builder(input, options, report);
+    return builder.seedsOf(builder.indexOf(componentName));
+  }
+  catch (const Aborted&)
+  {
+    return {};
+  }
 }
 
 Particles buildFromSeeds(const Galaxy& input, const std::string& componentName, const Seeds& seeds,
   const BuildOptions& options)
 {
-  Builder builder(input, options);
-  Plan plan;
-  plan.index = builder.indexOf(componentName);
-  builder.count(plan, seeds);
-  Particles particles = allocateParticles(plan.particles, options.velocities);
-  builder.place(plan, seeds, { particles, 0, 0, plan.smoothingLength });
-  particles.components.push_back(infoOf(input.description.components[plan.index]));
-  return particles;
+  BuildReport report;
+  Builder builder(input, options, report);
+  return builder.fromSeeds(builder.indexOf(componentName), seeds);
 }
 } // namespace galaxy

@@ -17,8 +17,28 @@ struct BuildOptions
   double particleScale = 1; ///< factor on every component's `particles`
   std::uint64_t seed = 1;   ///< of the random numbers
   bool velocities = false;  ///< fill Particles::velocity
+  /// Side of the pixels that the model will be seen with, kpc: components of particles = "Auto"
+  /// are made no finer than that. 0: as fine as their images.
+  double viewPixel = 0;
   /// Called from the calling thread with the fraction done; returning false aborts.
   std::function<bool(double)> progress;
+};
+
+/// Seconds of the stages of a component, in their order.
+struct StageSeconds
+{
+  double images = 0;     ///< preparing those that no earlier component had asked for
+  double light = 0;      ///< the map of what the component should look like
+  double seeds = 0;      ///< sampling
+  double thickness = 0;  ///< children, filaments or the spheroid
+  double photometry = 0; ///< normalisation to the pixels' fluxes
+  double smoothing = 0;  ///< smoothing lengths
+
+  double total() const
+  {
+    return this->images + this->light + this->seeds + this->thickness + this->photometry +
+      this->smoothing;
+  }
 };
 
 struct ComponentReport
@@ -27,22 +47,32 @@ struct ComponentReport
   std::size_t seedsDrawn = 0; ///< 0 for spheroids
   std::size_t seedsKept = 0;
   std::size_t particles = 0;
-  double smoothingLength = 0; ///< kpc
-  double imageSeconds = 0;    ///< preparing the images that no earlier component had asked for
-  double seedSeconds = 0;
-  double thicknessSeconds = 0; ///< or filaments, or the spheroid
+  std::size_t filled = 0;     ///< of them, those added for pixels that no other fell on
+  int bins = 1;               ///< pixels of the images along a side of those that are kept exactly
+  double flux = 0;            ///< of its images, kpc^2
+  double light = 0;           ///< that the particles carry; the rest lies off the disc
+  double smoothingLength = 0; ///< kpc, mean
+  StageSeconds seconds;
 };
 
 struct BuildReport
 {
-  std::vector<ComponentReport> components;
-  bool aborted = false; ///< then there are no particles
+  std::vector<ComponentReport> components; ///< in the description's order
+  bool aborted = false;                    ///< then there are no particles
 };
 
-/// The whole model, every component in the description's order. Emitters carry their luminosity
+/// The whole model. Emitters carry their luminosity
 /// (intensity times kpc^2 of sky), absorbers their cross-section (optical depth times kpc^2); the
 /// factors `size` and `brightness` go to the component table only. The particles are a function of
-/// the input, the scale and the seed, whatever the number of threads.
+/// the input, the scale and the seed, whatever the number of threads. They stand component by
+/// component in the description's order, but for spheroids that take their light from a disk's
+/// pixels, which stand before it.
+///
+/// Seen from Earth the particles of a disk with images are their sum: with NormalizeAt::Child the
+/// light on each pixel is its flux to rounding. A lit pixel on the disc that no particle falls on
+/// gets one of its own. Where there are fewer seeds than lit pixels, pixels are first joined 2 x 2
+/// until there are not.
+///
 /// Throws Error naming the description file and the component or image.
 Particles buildGalaxy(
   const Galaxy& input, const BuildOptions& options = {}, BuildReport* report = nullptr);
@@ -51,8 +81,9 @@ Particles buildGalaxy(
 Seeds buildSeeds(
   const Galaxy& input, const std::string& componentName, const BuildOptions& options = {});
 
-/// The particles that buildGalaxy makes of those seeds: thickness or filaments. The component table
-/// has this one component.
+/// The particles that buildGalaxy makes of those seeds: thickness or filaments, which share the
+/// seeds' light (NormalizeAt::Seed; there is no image to look at). The component table has this one
+/// component.
 Particles buildFromSeeds(const Galaxy& input, const std::string& componentName, const Seeds& seeds,
   const BuildOptions& options = {});
 } // namespace galaxy

@@ -8,29 +8,34 @@
 
 namespace galaxy
 {
+/// Grows or shrinks the arrays, the velocities where asked; what fits is kept.
+inline void resizeParticles(Particles& particles, std::size_t size, bool velocities)
+{
+  particles.position.resize(3 * size);
+  particles.smoothingLength.resize(size);
+  particles.intensity.resize(size);
+  particles.color.resize(3 * size);
+  particles.component.resize(size);
+  particles.velocity.resize(velocities ? 3 * size : 0);
+}
+
 /// Memory for `size` particles, with velocities where asked.
 inline Particles allocateParticles(std::size_t size, bool velocities)
 {
   Particles particles;
-  particles.position = Buffer<float>(3 * size);
-  particles.smoothingLength = Buffer<float>(size);
-  particles.intensity = Buffer<float>(size);
-  particles.color = Buffer<std::uint8_t>(3 * size);
-  particles.component = Buffer<std::uint8_t>(size);
-  particles.velocity = Buffer<float>(velocities ? 3 * size : 0);
+  resizeParticles(particles, size, velocities);
   return particles;
 }
 
-/// Writes one component's particles into its stretch of the arrays, from `offset` on.
+/// Writes all but the smoothing lengths of one component's particles into its stretch of the
+/// arrays, from `offset` on.
 class ParticleWriter
 {
 public:
-  ParticleWriter(
-    Particles& particles, std::size_t offset, std::uint8_t component, double smoothingLength)
+  ParticleWriter(Particles& particles, std::size_t offset, std::uint8_t component)
     : particles(particles)
     , offset(offset)
     , component(component)
-    , smoothingLength(static_cast<float>(smoothingLength))
   {
   }
 
@@ -42,7 +47,6 @@ public:
   {
     const std::size_t k = this->offset + i;
     store(&this->particles.position[3 * k], p);
-    this->particles.smoothingLength[k] = this->smoothingLength;
     this->particles.intensity[k] = intensity;
     this->particles.color[3 * k] = color[0];
     this->particles.color[3 * k + 1] = color[1];
@@ -65,7 +69,6 @@ private:
   Particles& particles;
   std::size_t offset;
   std::uint8_t component;
-  float smoothingLength;
 };
 } // namespace galaxy
 

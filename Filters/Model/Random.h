@@ -20,6 +20,13 @@ enum class RandomStream : std::uint32_t
   FilamentPlane,
   FilamentHeight,
   SpheroidPlace,
+  FractalPlace,
+  SeedSheet,
+  PixelFill,
+  ChildVelocity,
+  ClusterStar,
+  SpheroidVelocity,
+  FractalNoise,
 };
 
 /// What all random numbers of one component share.
@@ -29,16 +36,26 @@ struct RandomKey
   std::uint32_t component = 0;
 };
 
-/// The random numbers of one particle: a pure function of (seed, component, stream, particle,
-/// draw) by Philox4x32-10 (Salmon et al. 2011), hence the same for any number of threads.
+/// 128 random bits: a pure function of (seed, component, stream, particle, block) by Philox4x32-10
+/// (Salmon et al. 2011), hence the same for any number of threads.
+inline std::array<std::uint32_t, 4> randomBits(
+  const RandomKey& key, RandomStream stream, std::uint64_t particle, std::uint32_t block)
+{
+  const r123::Philox4x32::ctr_type bits = r123::Philox4x32()(
+    { { block, static_cast<std::uint32_t>(particle), static_cast<std::uint32_t>(particle >> 32),
+      key.component << 8 | static_cast<std::uint32_t>(stream) } },
+    { { static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32) } });
+  return { bits.v[0], bits.v[1], bits.v[2], bits.v[3] };
+}
+
+/// The random numbers of one particle, drawn one after the other.
 class Random
 {
 public:
   Random(const RandomKey& key, RandomStream stream, std::uint64_t particle)
-    : key{ { static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32) } }
-    , counter{ { 0, static_cast<std::uint32_t>(particle),
-        static_cast<std::uint32_t>(particle >> 32),
-        key.component << 8 | static_cast<std::uint32_t>(stream) } }
+    : key(key)
+    , stream(stream)
+    , particle(particle)
   {
   }
 
@@ -78,18 +95,19 @@ public:
 private:
   void refill()
   {
-    const r123::Philox4x32::ctr_type block = r123::Philox4x32()(this->counter, this->key);
-    ++this->counter.v[0];
+    const auto bits = randomBits(this->key, this->stream, this->particle, this->block++);
     // 52 bits leave room for the half step that keeps 0 and 1 out.
     const auto toUnit = [](std::uint64_t high, std::uint64_t low) {
       return (static_cast<double>((high << 32 | low) >> 12) + 0.5) * 0x1p-52;
     };
-    this->words = { toUnit(block.v[3], block.v[2]), toUnit(block.v[1], block.v[0]) };
+    this->words = { toUnit(bits[3], bits[2]), toUnit(bits[1], bits[0]) };
     this->left = 2;
   }
 
-  r123::Philox4x32::key_type key;
-  r123::Philox4x32::ctr_type counter;
+  RandomKey key;
+  RandomStream stream;
+  std::uint64_t particle;
+  std::uint32_t block = 0;
   std::array<double, 2> words{};
   double spare = 0;
   int left = 0;

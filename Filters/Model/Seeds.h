@@ -1,11 +1,10 @@
 #ifndef galaxy_Seeds_h
 #define galaxy_Seeds_h
 
-#include "Filters/Model/IntensityScale.h"
+#include "Filters/Model/LightMap.h"
 #include "Filters/Model/Particles.h"
 #include "Filters/Model/Random.h"
 #include "Filters/Model/RingGeometry.h"
-#include "Filters/Model/SkyImage.h"
 #include "Readers/Formats/GalaxyDescription.h"
 
 #include <vector>
@@ -18,7 +17,7 @@ struct Seeds
   Buffer<float> radius;        ///< kpc
   Buffer<float> azimuth;       ///< radians from the receding axis, in the sense of rotation
   Buffer<float> intensity;     ///< I_p
-  Buffer<float> light;         ///< kpc^2: intensity times the seed's share of area
+  Buffer<float> light;         ///< kpc^2: the seed's share of the flux
   Buffer<std::uint8_t> color;  ///< 3 N: RGB_s
   Buffer<std::uint32_t> index; ///< the draw that a seed came from, before culling
   std::size_t drawn = 0;       ///< before culling
@@ -26,40 +25,30 @@ struct Seeds
   double outerRadius = 0;      ///< kpc
 
   std::size_t size() const { return this->radius.size(); }
-  /// The share of a draw of the disc's own area, kpc^2.
-  double areaPerDraw() const;
-};
-
-/// One image of a component and how it counts.
-struct SeedLayer
-{
-  const SkyImage* image;
-  IntensityScale scale;
-  double threshold; ///< lower intensities count as none
-  double weight;
-  Color color;
 };
 
 /// Where a component on this disc ends, kpc: its own outer radius, the last ring at the latest
 /// (BeyondLastRing::HoldLast lets a component that names its radius go beyond).
 double outerRadiusOf(const ComponentDescription& component, const TiltedDisk& disk);
 
-/// Draws `count` seeds uniformly over the disc's own plane (radius density proportional to r,
-/// azimuth uniform) between the component's radii and culls the dark ones.
+/// Draws `count` seeds between the component's radii: in proportion to the light, or uniformly over
+/// the warped surface (`sampling`), by the map of its layers or, without one, by its radial profile
+/// exp(-r/scale_length), whose area is the disc's own. The seeds are a function of (key, count)
+/// and the input, whatever the number of threads.
 ///
-/// A seed of layers with intensities I_k and colours RGB_k has the colour sum_k weight_k I_k RGB_k:
-/// its largest channel is the seed's intensity, the ratio its 8-bit colour. (An absorber's
-/// intensity is sum_k weight_k I_k.) Its light is intensity J_sky / (N pdf), J_sky being the sky
-/// area per dr dtheta (TiltedDisk::skyJacobian) and pdf the density of draws in (r, theta): this
-/// importance weight makes the summed light of any region of the sky the image's integral over it,
-/// in expectation and for any N, however the warp piles the seeds up. Where the disc folds over
-/// itself on the sky, every sheet carries the image. With DiskProfile::Exponential the intensity is
-/// exp(-r/scale_length) and the area the disc's own.
+/// ImageDriven: see PixelDraws. Inside its pixel the k-th seed stands at the k-th point of a
+/// two-dimensional golden-ratio sequence (Roberts 2018) from a random start. Where the disc folds
+/// over itself on the sky a seed goes to one of the sheets at random, by their shares (DiskSheet).
+/// SurfaceUniform: the density is uniform in the area of the warped surface (TiltedDisk::
+/// areaElement); seeds on dark pixels are culled.
+///
+/// Light: every pixel's flux in equal parts among its seeds, to rounding. With NormalizeAt::None
+/// (the paper's rule) nothing looks at how many fell on a pixel: a seed has its pixel's intensity
+/// times the mean area of a draw.
 ///
 /// Throws Error (file, component) where the component's radii hold no part of the disc.
 Seeds sampleSeeds(const TiltedDisk& disk, const ComponentDescription& component,
-  const std::vector<SeedLayer>& layers, const RandomKey& key, std::size_t count,
-  const std::string& file);
+  const LightMap* map, const RandomKey& key, std::size_t count, const std::string& file);
 } // namespace galaxy
 
 #endif

@@ -3,6 +3,7 @@
 #include "Filters/Model/ImageCleaning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace galaxy
@@ -10,7 +11,9 @@ namespace galaxy
 SkyImage::SkyImage(CleanImage clean, const SkyFrame& frame, double radius)
   : frame(frame)
   , image(std::move(clean))
-  , lattice(this->latticeWithin(radius))
+  , box(this->boxWithin(radius))
+  , lattice(this->box.left, this->box.bottom, this->box.right, this->box.top,
+      [this](double x, double y) { return this->exactPixelAt(x, y); })
 {
 }
 
@@ -21,7 +24,7 @@ SkyImage::SkyImage(
 }
 
 // Over the box around the image in (X, Y), from points all over it, and no larger than the galaxy.
-PixelLattice SkyImage::latticeWithin(double radius) const
+PlaneBox SkyImage::boxWithin(double radius) const
 {
   constexpr int probes = 32;
   const SkyGrid& grid = this->image.grid;
@@ -48,9 +51,8 @@ PixelLattice SkyImage::latticeWithin(double radius) const
   // The outline may bulge between the probes: one part in `probes` to every side is more than that.
   const double marginX = (right - left) / probes;
   const double marginY = (top - bottom) / probes;
-  return PixelLattice(std::max(left - marginX, -radius), std::max(bottom - marginY, -radius),
-    std::min(right + marginX, radius), std::min(top + marginY, radius),
-    [this](double x, double y) { return this->exactPixelAt(x, y); });
+  return { std::max(left - marginX, -radius), std::max(bottom - marginY, -radius),
+    std::min(right + marginX, radius), std::min(top + marginY, radius) };
 }
 
 PixelPosition SkyImage::exactPixelAt(double x, double y) const
@@ -58,5 +60,47 @@ PixelPosition SkyImage::exactPixelAt(double x, double y) const
   PixelPosition pixel;
   return this->image.grid.skyToPixel(this->frame.planeToSky(x, y), pixel) ? pixel
                                                                           : PixelLattice::nowhere();
+}
+
+double SkyImage::smoothValue(double x, double y) const
+{
+  const PixelPosition at = this->pixelAt(x, y);
+  if (!this->image.grid.contains(at))
+  {
+    return PixelLattice::nowhere().x;
+  }
+  const int width = this->image.grid.width, height = this->image.grid.height;
+  const double left = std::floor(at.x), low = std::floor(at.y);
+  double sum = 0, weights = 0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int dx = corner & 1, dy = corner >> 1;
+    const int column = std::clamp(static_cast<int>(left) - 1 + dx, 0, width - 1);
+    const int row = std::clamp(static_cast<int>(low) - 1 + dy, 0, height - 1);
+    const double weight = (1 - std::abs(at.x - left - dx)) * (1 - std::abs(at.y - low - dy));
+    const float value = this->image.values[static_cast<std::size_t>(row) * width + column];
+    if (std::isfinite(value))
+    {
+      sum += weight * value;
+      weights += weight;
+    }
+  }
+  return weights > 0 ? sum / weights : PixelLattice::nowhere().x;
+}
+
+double SkyImage::pixelSide() const
+{
+  const SkyGrid& grid = this->image.grid;
+  const double middleX = 0.5 * (grid.width + 1), middleY = 0.5 * (grid.height + 1);
+  const auto pointAt = [&](double dx, double dy) {
+    SkyPosition sky;
+    double x = 0, y = 0;
+    return grid.pixelToSky({ middleX + dx, middleY + dy }, sky) && this->frame.skyToPlane(sky, x, y)
+      ? Vec3{ x, y, 0 }
+      : Vec3{ PixelLattice::nowhere().x, 0, 0 };
+  };
+  const Vec3 right = pointAt(0.5, 0) - pointAt(-0.5, 0);
+  const Vec3 up = pointAt(0, 0.5) - pointAt(0, -0.5);
+  return std::sqrt(std::abs(cross(right, up).z));
 }
 } // namespace galaxy

@@ -11,6 +11,12 @@
 
 namespace galaxy
 {
+/// A box in a galaxy's frame, kpc.
+struct PlaneBox
+{
+  double left = 0, bottom = 0, right = 0, top = 0;
+};
+
 /// An image of the sky as seen in a galaxy's frame: the way from (X, Y) through the sky to a pixel
 /// is tabulated.
 class SkyImage
@@ -37,6 +43,9 @@ public:
     return this->image.values[row * this->image.grid.width + column];
   }
 
+  /// The same, linear between the four nearest pixels' centres; of those that are not blank.
+  double smoothValue(double x, double y) const;
+
   /// Pixel coordinates from the lattice; NaN outside the image's extent.
   PixelPosition pixelAt(double x, double y) const { return this->lattice.at(x, y); }
   /// The same through the world coordinates themselves. Not thread-safe.
@@ -44,14 +53,21 @@ public:
 
   /// The prepared values, axis 1 fastest.
   const std::vector<float>& values() const { return this->image.values; }
+  const SkyGrid& grid() const { return this->image.grid; }
+  const SkyFrame& skyFrame() const { return this->frame; }
+  /// The box about the image in (X, Y) kpc, no larger than the radius it was made for.
+  const PlaneBox& extent() const { return this->box; }
+  /// Side of a pixel in the middle of the image, kpc.
+  double pixelSide() const;
   /// Cells along a side of the lattice.
   int latticeSize() const { return this->lattice.size(); }
 
 private:
-  PixelLattice latticeWithin(double radius) const;
+  PlaneBox boxWithin(double radius) const;
 
   SkyFrame frame;
   CleanImage image;
+  PlaneBox box;
   PixelLattice lattice;
 };
 } // namespace galaxy

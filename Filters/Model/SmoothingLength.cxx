@@ -1,59 +1,105 @@
 #include "Filters/Model/SmoothingLength.h"
 
-#include "Filters/Model/ThicknessProfile.h"
-#include "Filters/Model/VerticalLaw.h"
+#include "Filters/Model/DensityGrid.h"
+#include "Filters/Model/NearestNeighbours.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace galaxy
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-constexpr double lengthsPerDistance = 1.5;
+constexpr double leastLength = 1e-9;
 
-double meanDistance(double area, double thickness)
+/// Light relative to the brightest particle.
+double lightOf(float intensity, float brightest)
 {
-  return std::cbrt(area * std::max(thickness, std::sqrt(area)));
+  return std::isfinite(intensity) && intensity > 0 ? double(intensity) / brightest : 0;
+}
+
+/// sum(I)/sum(I^(1+p)) of light relative to the brightest, the same for any number of threads.
+double perLight(const float* intensity, std::size_t count, float brightest, double p)
+{
+  constexpr std::size_t block = 1 << 16;
+  std::vector<std::array<double, 2>> sums((count + block - 1) / block);
+#pragma omp parallel for schedule(static)
+  for (std::size_t b = 0; b < sums.size(); ++b)
+  {
+    for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i)
+    {
+      const double I = lightOf(intensity[i], brightest);
+      sums[b][0] += I;
+      sums[b][1] += I * std::pow(I, p);
+    }
+  }
+  std::array<double, 2> all{};
+  for (const std::array<double, 2>& sum : sums)
+  {
+    all[0] += sum[0];
+    all[1] += sum[1];
+  }
+  return all[0] / all[1];
+}
+
+void lengthsByLight(
+  const float* intensity, std::size_t count, const SmoothingDescription& smoothing, float* h)
+{
+  float brightest = 0;
+#pragma omp parallel for schedule(static) reduction(max : brightest)
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    brightest = std::isfinite(intensity[i]) ? std::max(brightest, intensity[i]) : brightest;
+  }
+  const double p = brightest > 0 ? smoothing.exponent : 0;
+  const double length =
+    smoothing.length * (brightest > 0 ? perLight(intensity, count, brightest, p) : 1);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    h[i] = static_cast<float>(length * std::pow(lightOf(intensity[i], brightest), p));
+  }
 }
 } // namespace
 
-double diskSmoothingLength(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
-  const ComponentDescription& component)
+void smoothingLengths(const float* position, const float* intensity, std::size_t count,
+  const SmoothingDescription& smoothing, float* h)
 {
-  if (component.smoothingLength > 0)
+  requireInRange(smoothing, "particles", "");
+  double factor = 1;
+  switch (smoothing.model)
   {
-    return component.smoothingLength;
+    case SmoothingModel::Density:
+      factor = smoothing.factor;
+      DensityGrid(position, count, smoothing.neighbours).meanDistances(position, count, h);
+      break;
+    case SmoothingModel::Neighbours:
+      factor = smoothing.factor;
+      neighbourDistances(position, count, smoothing.neighbours, h);
+      break;
+    case SmoothingModel::Constant:
+      std::fill_n(h, count, static_cast<float>(smoothing.length));
+      break;
+    case SmoothingModel::Brightness:
+      lengthsByLight(intensity, count, smoothing, h);
+      break;
   }
-  const ThicknessProfile profile(component.thickness, disk);
-  const double perScaleHeight = 2 * std::sqrt(pi) * rmsHeight(profile.law());
-  const std::size_t stride = seeds.size() / 65536 + 1;
-  double light = 0;
-  double sum = 0;
-  for (std::size_t i = 0; i < seeds.size(); i += stride)
+  const auto least = static_cast<float>(std::max(smoothing.minimum, leastLength));
+  const auto most = std::max(least,
+    static_cast<float>(std::min(smoothing.maximum, double(std::numeric_limits<float>::max()))));
+#pragma omp parallel for simd schedule(static)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const double area = seeds.areaPerDraw() / (starts[i + 1] - starts[i]);
-    const double thickness = perScaleHeight * profile.scaleHeight(seeds.radius[i]);
-    sum += seeds.light[i] * meanDistance(area, thickness);
-    light += seeds.light[i];
+    h[i] = std::min(std::max(static_cast<float>(factor * h[i]), least), most);
   }
-  return light > 0 ? lengthsPerDistance * sum / light : 0;
 }
 
-double filamentSmoothingLength(const ComponentDescription& component)
+void setSmoothingLengths(
+  Particles& particles, std::size_t first, std::size_t last, const SmoothingDescription& smoothing)
 {
-  return component.smoothingLength > 0 ? component.smoothingLength : 2 * component.dust.stepLength;
-}
-
-double spheroidSmoothingLength(const ComponentDescription& component, std::size_t count)
-{
-  if (component.smoothingLength > 0 || count == 0)
-  {
-    return component.smoothingLength;
-  }
-  const std::array<double, 3>& sigma = component.spheroid.sigma;
-  const double area = 4 * pi * sigma[0] * sigma[1] / count;
-  return lengthsPerDistance * meanDistance(area, 2 * std::sqrt(pi) * sigma[2]);
+  smoothingLengths(particles.position.data() + 3 * first, particles.intensity.data() + first,
+    last - first, smoothing, particles.smoothingLength.data() + first);
 }
 } // namespace galaxy

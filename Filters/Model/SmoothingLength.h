@@ -1,26 +1,29 @@
 #ifndef galaxy_SmoothingLength_h
 #define galaxy_SmoothingLength_h
 
-#include "Filters/Model/Thickness.h"
+#include "Filters/Model/Particles.h"
 #include "Readers/Formats/GalaxyDescription.h"
 
 namespace galaxy
 {
-/// The smoothing length h of all particles of a component (kpc): component.smoothingLength where
-/// positive, otherwise 1.5 times the mean distance d of its particles, by the light they carry.
+/// The smoothing lengths h of `count` particles (kpc; the radius at which a particle ends), from
+/// their positions (3 numbers each) and, for Brightness alone, their intensities:
 ///
-/// Disc: a particle has the area A = (area of a draw)/(children of its seed) and the volume
-/// d^3 = A max(T, sqrt A); T = 2 sqrt(pi) rms(z) is the thickness of the slab that has the mean
-/// density of a Gaussian layer. d is the light-weighted mean over (at most 65536) seeds.
-double diskSmoothingLength(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
-  const ComponentDescription& component);
+/// Density, Neighbours: factor times the mean distance d = (V/N)^(1/3) around each of them; d from
+/// DensityGrid or neighbourDistances.
+/// Constant: length.
+/// Brightness: length I^p sum(I)/sum(I^(1+p)), so that the mean of h weighted by I is length; where
+/// no particle has light, length. What is negative or not finite has no light.
+///
+/// All are kept from minimum to maximum, and positive whatever the input: a particle without light,
+/// or one with no other apart from it, gets the minimum, at least 1e-9 kpc. Throws Error naming the
+/// parameter that is out of range.
+void smoothingLengths(const float* position, const float* intensity, std::size_t count,
+  const SmoothingDescription& smoothing, float* h);
 
-/// Filaments: twice the step, so that neighbours along a filament merge.
-double filamentSmoothingLength(const ComponentDescription& component);
-
-/// Spheroid: A = 4 pi sigma_x sigma_y, the volume A max(2 sqrt(pi) sigma_z, sqrt(A/N)), of N
-/// particles: the one that has the mean density of a Gaussian.
-double spheroidSmoothingLength(const ComponentDescription& component, std::size_t count);
+/// The same for the particles first to last - 1, all of one component.
+void setSmoothingLengths(
+  Particles& particles, std::size_t first, std::size_t last, const SmoothingDescription& smoothing);
 } // namespace galaxy
 
 #endif

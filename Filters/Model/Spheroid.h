@@ -8,12 +8,16 @@
 
 namespace galaxy
 {
-/// Writes `count` particles of equal light with normally distributed coordinates about the origin,
-/// along the innermost ring's a, b, n or, not tilted, along X, Y, Z. They do not move.
-/// The total light is centralBrightness 2 pi sigma_x sigma_y times `lightFactor`: seen along the
-/// third axis, the surface brightness in the middle is centralBrightness.
+/// Writes `count` particles of equal light where the spheroid's density, or its star clusters, have
+/// them. Particle i of a smooth spheroid is the same for any count. They move at random with
+/// component.velocityDispersion on each axis.
 void placeSpheroid(const TiltedDisk& disk, const ComponentDescription& component,
   const RandomKey& key, std::size_t count, double lightFactor, const ParticleWriter& writer);
+
+/// The whole light of a spheroid, intensity times kpc^2: its luminosity where given, else what
+/// makes the surface brightness seen along the third axis centralBrightness: at the centre, or
+/// where RadialProfile::brightnessRadius() says.
+double spheroidLight(const TiltedDisk& disk, const SpheroidDescription& spheroid);
 } // namespace galaxy
 
 #endif

@@ -17,13 +17,17 @@ using ParticleStarts = Buffer<std::uint64_t>;
 
 /// How many children each seed gets: the mean number of its model, rounded up or down at random so
 /// that the mean is kept; at least 1, at most maximum_children. Throws Error (file, component)
-/// where the mean is negative or not a number.
+/// naming the key of the thickness that is out of range.
 ParticleStarts countChildren(const Seeds& seeds, const TiltedDisk& disk,
   const ComponentDescription& component, const RandomKey& key, const std::string& file);
 
-/// Gives a flat disc of seeds its thickness: the children of a seed share its light times
-/// `lightFactor` equally, are displaced in the plane of the seed's ring by normal deviates and
-/// along its normal by the vertical law (never beyond normalFocalHeight), and move with it.
+/// Gives a flat disc of seeds its thickness. The children of a seed share its light times
+/// `lightFactor` equally (or have all of it each: ChildLight), are displaced in the plane of the
+/// seed's ring by normal deviates and along its normal by the vertical law, and move with the ring
+/// but for normal deviates of velocity_dispersion along every axis. Of the law only what lies below
+/// normalFocalHeight is used, so that layers of neighbouring rings do not cross.
+/// A child is a function of (key, its seed's draw, its number among the seed's children) and of its
+/// ring, its place whether velocities are written or not.
 void placeChildren(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
   const ComponentDescription& component, const RandomKey& key, double lightFactor,
   const ParticleWriter& writer);

@@ -12,12 +12,14 @@ namespace galaxy
 /// is N0 I_p^(1 - gamma), the inverse of I_s = I_p^gamma, so that N I_s = N0 I_p.
 ///
 /// Tapered (model 2): N = N0 exp(-R/H_r), scale height H_z, or H_z exp(-R/H_r). The paper prints
-/// exp(-R/H_z), which would leave H_r without use and the disc empty beyond H_z.
+/// exp(-R/H_z), which leaves H_r without use and nearly all the disc at one child a seed:
+/// TaperReading::Literal has that, its children displaced by sigma along every axis.
 ///
 /// Flared (model 3): full width at half maximum after O'Brien, Freeman & van der Kruit 2010
 /// (linear inside the stellar disc, exponential outside, inverse to the rotation velocity):
 ///   FWHM = (v_ref/v_rot)^beta { F0 + (Fb - F0) R/Rb (R <= Rb); Fb exp((R - Rb)/L) (R > Rb) },
-/// at most F_max, which it is where v_rot = 0.
+/// at most F_max, which it is where v_rot = 0. Rows of (R, FWHM), as measured, replace all of it:
+/// linear between them, constant beyond.
 ///
 /// Hydrostatic: isothermal gas between its own sheet, the stars' disc and a spherical halo,
 ///   sigma_z = 2 sigma_g^2 / (B + sqrt(B^2 + 4 (nu_h^2 + nu_s^2) sigma_g^2)),
@@ -34,14 +36,20 @@ public:
 
   LayerLaw law() const { return this->verticalLaw; }
   /// Scale height of the vertical law, kpc.
-  double scaleHeight(double r) const;
+  double scaleHeight(double r) const
+  {
+    return this->scaleHeight(r, this->disk.rotationVelocity(r));
+  }
+  /// The same where the disc is known to rotate with `rotation` km/s.
+  double scaleHeight(double r, double rotation) const;
   /// Mean number of children of a seed of intensity I_p.
   double meanChildren(double r, double intensity) const;
   double inPlaneSigma() const { return this->thickness.sigma; } ///< kpc
 
 private:
-  double flaredWidth(double r) const;
-  double hydrostaticDispersion(double r) const;
+  double childrensScaleLength() const;
+  double flaredWidth(double r, double rotation) const;
+  double hydrostaticDispersion(double r, double rotation) const;
 
   ThicknessDescription thickness;
   const TiltedDisk& disk;

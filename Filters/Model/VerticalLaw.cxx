@@ -1,5 +1,9 @@
 #include "Filters/Model/VerticalLaw.h"
 
+#include "Filters/Model/NormalQuantile.h"
+#include "Filters/Model/SameClones.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace galaxy
@@ -8,25 +12,53 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 constexpr double lorentzianCut = 10;
+
+template <class F>
+inline __attribute__((always_inline)) void replaceAll(Deviates& numbers, F function)
+{
+#pragma omp simd
+  for (double& number : numbers)
+  {
+    number = function(number);
+  }
+}
 } // namespace
 
-double sampleHeight(LayerLaw law, Random& random)
+double shareWithin(LayerLaw law, double z)
 {
-  if (law == LayerLaw::Gaussian)
-  {
-    return random.normal();
-  }
-  const double u = random.uniform();
   switch (law)
   {
-    case LayerLaw::Sech2: // atanh(2u - 1)
-      return 0.5 * std::log(u / (1 - u));
+    case LayerLaw::Gaussian:
+      return std::erf(z * std::sqrt(0.5));
+    case LayerLaw::Sech2:
+      return std::tanh(z);
     case LayerLaw::Exponential:
-      return u < 0.5 ? std::log(2 * u) : -std::log(2 * (1 - u));
+      return -std::expm1(-z);
     case LayerLaw::Lorentzian:
-      return std::tan((2 * u - 1) * std::atan(lorentzianCut));
+      return std::min(1.0, std::atan(z) / std::atan(lorentzianCut));
     default:
-      return 2 * u - 1;
+      return std::min(1.0, z);
+  }
+}
+
+GALAXY_SAME_CLONES void sharesToHeights(LayerLaw law, Deviates& shares)
+{
+  switch (law)
+  {
+    case LayerLaw::Gaussian:
+      replaceAll(shares, normalQuantile);
+      break;
+    case LayerLaw::Sech2: // artanh
+      replaceAll(shares, [](double x) { return 0.5 * logarithm((1 + x) / (1 - x)); });
+      break;
+    case LayerLaw::Exponential:
+      replaceAll(shares, [](double x) { return std::copysign(logarithm(1 - std::abs(x)), x); });
+      break;
+    case LayerLaw::Lorentzian:
+      replaceAll(shares, [](double x) { return std::tan(x * std::atan(lorentzianCut)); });
+      break;
+    default:
+      break;
   }
 }
 

@@ -1,3 +1,4 @@
+#include "Readers/Formats/AbsorptionKeys.h"
 #include "Readers/Formats/GalaxyKeys.h"
 
 namespace galaxy
@@ -32,10 +33,46 @@ void readLayers(const KeyValue& value, ComponentDescription& out)
   }
 }
 
+void readParticles(const KeyValue& value, ComponentDescription& out)
+{
+  constexpr long long mostParticles = 1LL << 40;
+  out.automaticCount = value.node.is_string();
+  if (!out.automaticCount)
+  {
+    out.particles = value.integer(0, mostParticles);
+  }
+  else if (value.text() != "Auto")
+  {
+    value.fail("must be a whole number or \"Auto\"");
+  }
+}
+
 void readDust(const KeyValue& value, ComponentDescription& out)
 {
   out.hasDust = true;
   readTable(value.file, "[component.dust]", value.table(), dustKeys(), out.dust);
+}
+
+void readSmoothing(const KeyValue& value, ComponentDescription& out)
+{
+  SmoothingDescription& smoothing = out.smoothing;
+  readTable(value.file, "[component.smoothing]", value.table(), smoothingKeys(), smoothing);
+  if (smoothing.minimum > smoothing.maximum)
+  {
+    const toml::node* maximum = value.table().get("maximum");
+    KeyValue(value.file, "maximum", maximum != nullptr ? *maximum : value.node)
+      .fail("must be at least the minimum");
+  }
+}
+
+void readSmoothingLength(const KeyValue& value, ComponentDescription& out)
+{
+  const double length = value.number(Range::notNegative());
+  if (length > 0)
+  {
+    out.smoothing.model = SmoothingModel::Constant;
+    out.smoothing.length = length;
+  }
 }
 
 void readClip(const KeyValue& value, LayerDescription& out)
@@ -84,40 +121,60 @@ const Keys<LayerDescription>& layerKeys()
 const Keys<ComponentDescription>& componentKeys()
 {
   using C = ComponentDescription;
-  constexpr long long mostParticles = 1LL << 40;
-  static const Keys<C> keys = {
-    required(textKey<C>("name", &C::name, "Name, unlike that of any other component.")),
-    choiceKey<C>("type", &C::type, { "Disk", "Spheroid" }, "Shape of the population."),
-    choiceKey<C>("role", &C::role, { "Emits", "Absorbs" }, "Stars and glowing gas, or dust."),
-    integerKey<C>("particles", &C::particles, 0, mostParticles,
-      "Seeds of a disk before culling; particles of a spheroid."),
-    choiceKey<C>("profile", &C::profile, { "Images", "Exponential" },
-      "Where a disk's brightness comes from: its layers, or exp(-r / scale_length)."),
-    numberKey<C>("scale_length", &C::scaleLength, Range::positive(), "kpc",
-      "Scale length of profile Exponential."),
-    numberKey<C>(
-      "inner_radius", &C::innerRadius, Range::notNegative(), "kpc", "No seeds within it."),
-    withDefault(numberKey<C>(
-                  "outer_radius", &C::outerRadius, Range::positive(), "kpc", "No seeds beyond it."),
-      "the last ring"),
-    listKey<C>(
-      "color", &C::color, Range::notNegative(), rgb, "Colour where no layer gives one; 1 is full."),
-    { "layers", "list of layers", "none", "The images that make it; keys in `layers` below.",
-      readLayers },
-    withDefault(numberKey<C>("smoothing_length", &C::smoothingLength, Range::notNegative(), "kpc",
-                  "Radius at which a particle's footprint ends."),
-      "from the particles' distances"),
-    numberKey<C>("size", &C::size, Range::positive(), "", "Factor on the radius when drawn."),
-    numberKey<C>("brightness", &C::brightness, Range::notNegative(), "",
-      "Factor on the light, or on the opacity, when drawn."),
-    numberKey<C>("optical_depth", &C::opticalDepth, Range::notNegative(), "",
-      "Of an absorber: depth in V along the line of sight at intensity 1."),
-    listKey<C>("absorption", &C::absorption, Range::notNegative(), "red, green, blue",
-      "Of an absorber: absorption relative to V."),
-    partKey("thickness", &C::thickness, &thicknessKeys),
-    sectionKey<C>("dust", readDust),
-    partKey("spheroid", &C::spheroid, &spheroidKeys),
-  };
+  static const Keys<C> keys = [] {
+    Keys<C> own = {
+      required(textKey<C>("name", &C::name, "Name, unlike that of any other component.")),
+      choiceKey<C>("type", &C::type, { "Disk", "Spheroid" }, "Shape of the population."),
+      choiceKey<C>("role", &C::role, { "Emits", "Absorbs" }, "Stars and glowing gas, or dust."),
+      { "particles", "whole number, at least 0, or \"Auto\"", std::to_string(C().particles),
+        "Seeds of a disk before culling; particles of a spheroid. Auto: as many as `noise` asks "
+        "for.",
+        readParticles },
+      numberKey<C>("noise", &C::noise, Range::positive(), "",
+        "Relative noise of the light in a beam of its image that particles = \"Auto\" aims at."),
+      choiceKey<C>("sampling", &C::sampling, { "ImageDriven", "SurfaceUniform" },
+        "Seeds of a disk in proportion to its light, or evenly over its surface, the dark culled."),
+      choiceKey<C>("normalize_at", &C::normalizeAt, { "Child", "Seed", "None" },
+        "What shares the flux of an image's pixel: the particles seen on it, its seeds, or "
+        "nothing: "
+        "every seed has its pixel's intensity, however many there are."),
+      choiceKey<C>("profile", &C::profile, { "Images", "Exponential" },
+        "Where a disk's brightness comes from: its layers, or exp(-r / scale_length)."),
+      numberKey<C>("scale_length", &C::scaleLength, Range::positive(), "kpc",
+        "Scale length of profile Exponential."),
+      numberKey<C>(
+        "inner_radius", &C::innerRadius, Range::notNegative(), "kpc", "No seeds within it."),
+      withDefault(numberKey<C>("outer_radius", &C::outerRadius, Range::positive(), "kpc",
+                    "No seeds beyond it."),
+        "the last ring"),
+      listKey<C>("color", &C::color, Range::notNegative(), rgb,
+        "Colour where no layer gives one; 1 is full."),
+      { "layers", "list of layers", "none", "The images that make it; keys in `layers` below.",
+        readLayers },
+      { "smoothing_length", writtenType("number", "kpc", Range::notNegative()),
+        "from the particles' distances",
+        "Radius at which a particle's footprint ends: model Constant of `[component.smoothing]`; "
+        "0: as that section says.",
+        readSmoothingLength },
+      numberKey<C>("size", &C::size, Range::positive(), "", "Factor on the radius when drawn."),
+      numberKey<C>("brightness", &C::brightness, Range::notNegative(), "",
+        "Factor on the light, or on the opacity, when drawn."),
+      numberKey<C>("optical_depth", &C::opticalDepth, Range::notNegative(), "",
+        "Of an absorber: depth in V along the line of sight at intensity 1."),
+      listKey<C>("absorption", &C::absorption, Range::notNegative(), "red, green, blue",
+        "Of an absorber: absorption relative to V."),
+      numberKey<C>("velocity_dispersion", &C::velocityDispersion, Range::notNegative(), "km/s",
+        "Random motion of the particles of a disk or a spheroid along every axis."),
+      partKey("thickness", &C::thickness, &thicknessKeys),
+      sectionKey<C>("smoothing", readSmoothing),
+      sectionKey<C>("dust", readDust),
+      sectionKey<C>(
+        "spheroid", [](const KeyValue& value, C& out) { readSpheroid(value, out.spheroid); }),
+    };
+    const Keys<C> absorption = absorptionKeys();
+    own.insert(own.end(), absorption.begin(), absorption.end());
+    return own;
+  }();
   return keys;
 }
 
@@ -137,6 +194,15 @@ ComponentDescription readComponent(const std::string& file, const toml::table& t
     component.layers.empty())
   {
     failAt("layers", "missing: a disk needs layers, or profile = \"Exponential\"");
+  }
+  finishAbsorption(file, table, component);
+  if (table.contains("smoothing") && table.contains("smoothing_length"))
+  {
+    failAt("smoothing_length", "contradicts [component.smoothing]: give one or the other");
+  }
+  if (component.automaticCount && component.layers.empty())
+  {
+    failAt("particles", "\"Auto\" counts by the images of a disk: this component needs a number");
   }
   return component;
 }

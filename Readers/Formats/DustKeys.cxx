@@ -1,27 +1,92 @@
+#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
 
 #include <climits>
 
 namespace galaxy
 {
-const Keys<DustDescription>& dustKeys()
+namespace
 {
-  using D = DustDescription;
-  static const Keys<D> keys = {
-    choiceKey<D>("model", &D::model, { "RingVelocity", "DiskRotation" },
-      "Whether a filament keeps its seed's velocity or follows the rotation."),
+using D = DustDescription;
+
+/// A number of the section, for the file and for the filter's properties alike.
+struct Number
+{
+  const char* name;
+  double D::*member;
+  Range range;
+  const char* unit;
+  const char* meaning;
+};
+
+const Number numbers[] = {
+  { "step_length", &D::stepLength, Range::positive(), "kpc",
+    "Distance between the particles of a filament." },
+  { "velocity_dispersion", &D::velocityDispersion, Range::notNegative(), "km/s",
+    "Random velocity of a filament in the plane." },
+  { "vertical_dispersion", &D::verticalDispersion, Range::notNegative(), "km/s",
+    "Random velocity of a filament across the plane." },
+  { "scale_height", &D::scaleHeight, Range::notNegative(), "kpc", "Root mean square height." },
+  { "damping_time", &D::dampingTime, Range::positive(), "Myr",
+    "Time in which a random velocity is forgotten." },
+  { "lacunarity", &D::lacunarity, Range::from(1, 4), "",
+    "Of Fractal: how many times smaller each scale is than the one before." },
+  { "hurst", &D::hurst, Range::from(0, 2), "",
+    "Of Fractal: H; each scale is weaker than the one before by lacunarity^-H." },
+  { "contrast", &D::contrast, Range::from(0, 5), "",
+    "Of Fractal: s; the density is exp(s g) over its mean, g the noise of unit variance." },
+  { "noise_scale", &D::noiseScale, Range::from(1e-3, 1e3), "kpc",
+    "Of Fractal: size of the largest structure." },
+  { "winding", &D::winding, Range::from(-100, 100), "",
+    "Of Fractal: shear of the structure; positive trails the rotation, far out with the pitch "
+    "angle arctan(1/winding)." },
+  { "spread", &D::spread, Range::notNegative(), "kpc",
+    "Of Fractal: rms displacement of a seed's particles in the plane, on each axis." },
+};
+
+constexpr int mostOctaves = 16;
+
+Keys<D> makeKeys()
+{
+  Keys<D> keys = {
+    choiceKey<D>("model", &D::model, { "RingVelocity", "DiskRotation", "Fractal" },
+      "Whether a filament keeps its seed's velocity or follows the rotation; or a layer of fractal "
+      "clouds."),
     integerKey<D>("steps", &D::steps, 1, INT_MAX, "Particles a filament."),
-    numberKey<D>("step_length", &D::stepLength, Range::positive(), "kpc",
-      "Distance between the particles of a filament."),
-    numberKey<D>("velocity_dispersion", &D::velocityDispersion, Range::positive(), "km/s",
-      "Random velocity in the plane."),
-    numberKey<D>("vertical_dispersion", &D::verticalDispersion, Range::positive(), "km/s",
-      "Random velocity across the plane."),
-    numberKey<D>(
-      "scale_height", &D::scaleHeight, Range::positive(), "kpc", "Root mean square height."),
-    numberKey<D>("damping_time", &D::dampingTime, Range::positive(), "Myr",
-      "Time in which a random velocity is forgotten."),
+    choiceKey<D>(
+      "noise", &D::noise, { "FBm", "Ridged" }, "Of Fractal: round clouds, or a web of thin walls."),
+    integerKey<D>("octaves", &D::octaves, 1, mostOctaves, "Of Fractal: scales that are summed."),
+    integerKey<D>("children", &D::children, 1, INT_MAX, "Of Fractal: particles a seed."),
   };
+  for (const Number& n : numbers)
+  {
+    keys.push_back(numberKey<D>(n.name, n.member, n.range, n.unit, n.meaning));
+  }
   return keys;
+}
+} // namespace
+
+const Keys<D>& dustKeys()
+{
+  static const Keys<D> keys = makeKeys();
+  return keys;
+}
+
+void requireInRange(const D& dust, const std::string& file, const std::string& component)
+{
+  const auto require = [&](bool right, const std::string& name, const std::string& range) {
+    if (!right)
+    {
+      throw Error(file, component, "dust: " + name + " must be " + range);
+    }
+  };
+  for (const Number& n : numbers)
+  {
+    require(n.range.contains(dust.*n.member), n.name, n.range.text());
+  }
+  require(dust.steps >= 1, "steps", "at least 1");
+  require(dust.children >= 1, "children", "at least 1");
+  require(dust.octaves >= 1 && dust.octaves <= mostOctaves, "octaves",
+    "1 to " + std::to_string(mostOctaves));
 }
 } // namespace galaxy

@@ -1,8 +1,10 @@
 #include "Readers/Formats/GalaxyDescription.h"
 
+#include "Readers/Formats/AbsorptionKeys.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
 #include "Readers/Formats/RingPlane.h"
+#include "Readers/Formats/SpheroidTables.h"
 
 #include <filesystem>
 #include <fstream>
@@ -34,6 +36,27 @@ void checkLayers(const toml::table& root, const GalaxyDescription& galaxy)
     }
   }
 }
+/// A spheroid can take its light from a disk that the file declares only.
+void checkLightSources(const toml::table& root, const GalaxyDescription& galaxy)
+{
+  std::vector<std::string> disks;
+  for (const ComponentDescription& component : galaxy.components)
+  {
+    if (component.type == ComponentType::Disk)
+    {
+      disks.push_back(component.name);
+    }
+  }
+  for (std::size_t c = 0; c < galaxy.components.size(); ++c)
+  {
+    const std::string& name = galaxy.components[c].spheroid.lightFrom;
+    if (!name.empty() && std::find(disks.begin(), disks.end(), name) == disks.end())
+    {
+      KeyValue(galaxy.file, "light_from", *root["component"][c]["spheroid"]["light_from"].node())
+        .fail("there is no component '" + name + "' of type Disk" + suggestion(name, disks));
+    }
+  }
+}
 } // namespace
 
 toml::table parseToml(const std::string& text, const std::string& file)
@@ -58,6 +81,9 @@ GalaxyDescription parseGalaxyDescription(const std::string& text, const std::str
   galaxy.name = std::filesystem::path(file).stem().string();
   readTable(file, "", root, fileKeys(), galaxy);
   checkLayers(root, galaxy);
+  checkAbsorption(root, galaxy);
+  checkLightSources(root, galaxy);
+  readSpheroidTables(galaxy);
   return galaxy;
 }
 

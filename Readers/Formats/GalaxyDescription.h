@@ -3,6 +3,7 @@
 
 #include "Readers/Formats/FitsFile.h"
 #include "Readers/Formats/RingTable.h"
+#include "Readers/Formats/SpheroidDescription.h"
 #include "Readers/Formats/WorldCoordinates.h"
 
 #include <array>
@@ -53,6 +54,17 @@ enum class DiskProfile
   Images,      ///< brightness from the component's layers
   Exponential, ///< exp(-r / scale_length)
 };
+enum class SeedSampling
+{
+  ImageDriven,    ///< in proportion to the light
+  SurfaceUniform, ///< the paper's: evenly over the disc's surface, the dark ones culled
+};
+enum class NormalizeAt
+{
+  Child, ///< the particles seen on a pixel share its flux
+  Seed,  ///< the seeds of a pixel share its flux, children that of their seed
+  None,  ///< the paper's rule: a seed has its pixel's intensity, however many share it
+};
 enum class ThicknessModel
 {
   Gaussian,    ///< paper's model 1
@@ -61,10 +73,52 @@ enum class ThicknessModel
   Hydrostatic, ///< vertical equilibrium of gas in the disc's and halo's gravity
   Rings,       ///< the rings' own scale height and law
 };
+enum class TaperReading
+{
+  RadialScale, ///< children as exp(-R/H_r), scale height H_z
+  Literal, ///< the paper's formula: children as exp(-R/H_z), displaced by sigma alike all around
+};
+enum class ChildLight
+{
+  Share,   ///< the children of a seed share its light
+  Inherit, ///< every child has the seed's light
+};
+/// A row of a profile_table.
+struct WidthAtRadius
+{
+  double radius = 0; ///< kpc
+  double fwhm = 0;   ///< kpc
+};
 enum class DustModel
 {
   RingVelocity, ///< paper's dust model 1: the seed's velocity, frozen
   DiskRotation, ///< paper's dust model 2: follows the rotation
+  Fractal,      ///< a layer of clouds: fractal noise in the disc's own coordinates
+};
+enum class FractalKind
+{
+  FBm,    ///< fractional Brownian motion: clouds
+  Ridged, ///< 1 - |n| of each octave: a web of thin walls
+};
+enum class ExtinctionLaw
+{
+  Custom,   ///< the component's own `absorption`
+  CCM89,    ///< Cardelli, Clayton & Mathis 1989, of the Milky Way
+  Calzetti, ///< Calzetti et al. 2000, of starbursts
+  Grey,
+};
+enum class DepthCalibration
+{
+  Given,     ///< optical_depth times intensity, along the line of sight
+  FaceOn,    ///< optical_depth times intensity, across the disc's plane
+  PAH8um,    ///< in proportion to an 8 um image, scaled to a mean
+  Gas,       ///< from the column density of hydrogen
+  Dust250um, ///< from dust emission at 250 um
+};
+enum class DustGeometry
+{
+  Sheet, ///< a thin sheet of dust halfway through the light
+  Mixed, ///< dust and light mixed evenly
 };
 
 enum class BrightnessConversion
@@ -114,6 +168,8 @@ struct ThicknessDescription
 {
   ThicknessModel model = ThicknessModel::Gaussian;
   LayerLaw law = LayerLaw::Gaussian; ///< vertical law of Tapered, Flared and Hydrostatic
+  TaperReading reading = TaperReading::RadialScale; ///< of the paper's model 2 (Tapered)
+  ChildLight childLight = ChildLight::Share;
   double children = 1; ///< N_star at intensity 1 (Gaussian) or at R = 0; rounded stochastically
   int maximumChildren = 1000;     ///< cap on N_star; the light is kept
   double sigma = 0.1;             ///< sigma_xyz (Gaussian) or the in-plane sigma_xy (the others)
@@ -128,12 +184,14 @@ struct ThicknessDescription
   double fwhmMaximum = 4;         ///< cap (Flared)
   double referenceVelocity = 189; ///< v_ref of (v_ref/v_rot)^beta (Flared)
   double velocityExponent = 1;    ///< beta (Flared)
-  double gasDispersion = 8;       ///< sigma_g, km/s (Hydrostatic)
+  /// Widths by increasing radius, in place of all the formula of Flared; empty: none
+  std::vector<WidthAtRadius> profileTable;
+  double gasDispersion = 8;           ///< sigma_g, km/s (Hydrostatic)
   double stellarSurfaceDensity = 500; ///< Sigma_0, Msun/pc^2 at R = 0 (Hydrostatic)
   double gasSurfaceDensity = 10;      ///< Sigma_g, Msun/pc^2 (Hydrostatic)
 };
 
-/// [component.dust]: the filament walk and the opacity.
+/// [component.dust]: the filament walk, or the clouds.
 struct DustDescription
 {
   DustModel model = DustModel::DiskRotation;
@@ -143,14 +201,49 @@ struct DustDescription
   double verticalDispersion = 6;  ///< sigma_w, km/s
   double scaleHeight = 0.1;       ///< h_d: rms height, kpc
   double dampingTime = 10;        ///< 1/gamma, Myr
+  FractalKind noise = FractalKind::FBm;
+  int octaves = 5;
+  double lacunarity = 2;   ///< of an octave's scale to the next one's
+  double hurst = 0.33;     ///< H: an octave's amplitude is lacunarity^-H of the one before
+  double contrast = 1;     ///< s of the weight exp(s g), g the noise, of unit variance
+  double noiseScale = 0.5; ///< the largest structure, kpc
+  double winding = 0;      ///< shear d theta/d ln r far out; positive: trailing the rotation
+  int children = 8;        ///< particles a seed
+  double spread = 0.05;    ///< of a seed's children in the plane on each axis, rms, kpc
 };
 
-/// [component.spheroid]: kpc.
-struct SpheroidDescription
+/// How the optical depth of an absorber follows from its image.
+struct DepthDescription
 {
-  std::array<double, 3> sigma = { 0.3, 0.3, 0.2 }; ///< along the ring's a, b, n or X, Y, Z
-  bool tilted = true;           ///< along the innermost ring's axes rather than the sky's
-  double centralBrightness = 1; ///< projected along its third axis, in units of intensity 1
+  DepthCalibration calibration = DepthCalibration::Given;
+  double referenceDepth = 1; ///< tau_ref: the mean within referenceRadius (PAH8um)
+  double referenceRadius = std::numeric_limits<double>::infinity(); ///< kpc (PAH8um)
+  std::string stellarImage;          ///< of 3.6 um, whose light is taken off (PAH8um); empty: none
+  std::string molecularImage;        ///< of CO(1-0) or H2, added (Gas); empty: none
+  double coToH2 = 2e20;              ///< X_CO: H2 per cm^2 per K km/s (Gas)
+  double dustToGas = 1;              ///< in units of the Milky Way's (Gas)
+  double dustTemperature = 20;       ///< K (Dust250um)
+  double extinctionOver250um = 6500; ///< in V, over the absorption at 250 um (Dust250um)
+};
+
+enum class SmoothingModel
+{
+  Density,    ///< from counts of particles in cells
+  Neighbours, ///< from the distance to the k-th nearest
+  Constant,
+  Brightness, ///< by a particle's light
+};
+
+/// [component.smoothing]: h, the radius at which a particle's footprint ends.
+struct SmoothingDescription
+{
+  SmoothingModel model = SmoothingModel::Density;
+  double factor = 1.5;       ///< h over the mean distance d (Density, Neighbours)
+  int neighbours = 32;       ///< particles that d is taken over (Density, Neighbours)
+  double length = 0.1;       ///< kpc: h (Constant), its mean by light (Brightness)
+  double exponent = 1.0 / 3; ///< p of h ~ I^p (Brightness)
+  double minimum = 0;        ///< kpc
+  double maximum = std::numeric_limits<double>::infinity(); ///< kpc
 };
 
 /// [[component]]: one population of particles.
@@ -160,17 +253,28 @@ struct ComponentDescription
   ComponentType type = ComponentType::Disk;
   ComponentRole role = ComponentRole::Emits;
   long long particles = 100000; ///< seeds N_p of a disk before culling; particles of a spheroid
+  bool automaticCount = false;  ///< particles = "Auto": from the image and the noise below
+  double noise = 0.1;           ///< of the light in a beam, where the light is; for "Auto"
+  SeedSampling sampling = SeedSampling::ImageDriven;
+  NormalizeAt normalizeAt = NormalizeAt::Child;
   DiskProfile profile = DiskProfile::Images;
   double scaleLength = 1;                                       ///< of profile = "Exponential", kpc
   double innerRadius = 0;                                       ///< kpc
   double outerRadius = std::numeric_limits<double>::infinity(); ///< kpc; the last ring ends it too
   Color color = { 1, 1, 1 };                                    ///< where no layer gives one
   std::vector<LayerDescription> layers;
-  double smoothingLength = 0; ///< h, kpc; 0: from the mean distance between the particles
-  double size = 1;            ///< factor on h when drawn
-  double brightness = 1;      ///< factor on emission (or on opacity) when drawn
-  double opticalDepth = 1;    ///< absorbers: tau in V along the sight line at intensity 1
-  Color absorption = { 0.834, 1.0, 1.319 }; ///< RGB_A: CCM89, R_V = 3.1, bands R, V, B
+  SmoothingDescription smoothing;
+  double size = 1;         ///< factor on h when drawn
+  double brightness = 1;   ///< factor on emission (or on opacity) when drawn
+  double opticalDepth = 1; ///< absorbers: tau in V along the sight line at intensity 1
+  Color absorption = { 0.834, 1.0, 1.319 };              ///< RGB_A: CCM89, R_V = 3.1, bands R, V, B
+  ExtinctionLaw extinction = ExtinctionLaw::Custom;      ///< what `absorption` was made from
+  double totalToSelective = 0;                           ///< R_V; 0: the law's own
+  std::array<double, 3> bands = { 0.641, 0.545, 0.438 }; ///< of red, green and blue, um
+  DepthDescription depth;
+  std::string deredden; ///< absorbing component whose reddening the image carries; empty: none
+  DustGeometry dustGeometry = DustGeometry::Sheet;
+  double velocityDispersion = 0; ///< of the particles on every axis, km/s
   ThicknessDescription thickness;
   bool hasDust = false; ///< true where [component.dust] stands: a filament walk, not a thickness
   DustDescription dust;
@@ -228,6 +332,16 @@ GroupDescription parseGroupDescription(const std::string& text, const std::strin
 /// All keys of .galaxy and .galaxygroup files as a Markdown table: section, key, type and unit,
 /// default, meaning. Made from the table that the files are read by.
 std::string describeKeys();
+
+/// Throws Error (file, component) naming the first key of a thickness whose value is out of range.
+void requireInRange(
+  const ThicknessDescription& thickness, const std::string& file, const std::string& component);
+/// The same for smoothing.
+void requireInRange(
+  const SmoothingDescription& smoothing, const std::string& file, const std::string& component);
+/// The same for dust.
+void requireInRange(
+  const DustDescription& dust, const std::string& file, const std::string& component);
 
 /// `path` as seen from the folder of `file`, unchanged where absolute.
 std::string besideFile(const std::string& file, const std::string& path);

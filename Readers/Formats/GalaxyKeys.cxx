@@ -116,6 +116,7 @@ std::string describeKeys()
     describeSection("[component.thickness]", thicknessKeys()) +
     describeSection("[component.dust]", dustKeys()) +
     describeSection("[component.spheroid]", spheroidKeys()) +
+    describeSection("[component.smoothing]", smoothingKeys()) +
     describeSection("[group]", groupKeys()) + describeSection("[[member]]", memberKeys());
 }
 } // namespace galaxy

@@ -16,6 +16,7 @@ const Keys<LayerDescription>& layerKeys();
 const Keys<ThicknessDescription>& thicknessKeys();
 const Keys<DustDescription>& dustKeys();
 const Keys<SpheroidDescription>& spheroidKeys();
+const Keys<SmoothingDescription>& smoothingKeys();
 
 // Every key of a .galaxygroup file.
 const Keys<GroupDescription>& groupFileKeys();
@@ -27,6 +28,11 @@ void readImages(const KeyValue& value, GalaxyDescription& out);
 
 /// Reads [[component]] with its layers and sections.
 ComponentDescription readComponent(const std::string& file, const toml::table& table);
+
+/// Reads [component.spheroid]: its preset first, then what the other keys say.
+void readSpheroid(const KeyValue& value, SpheroidDescription& out);
+/// What a preset says about each key.
+SpheroidDescription spheroidPreset(SpheroidPreset preset);
 
 /// Parses TOML; throws Error with the parser's message and line.
 toml::table parseToml(const std::string& text, const std::string& file);

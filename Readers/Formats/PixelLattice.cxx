@@ -1,17 +1,11 @@
 #include "Readers/Formats/PixelLattice.h"
 
 #include <cmath>
-#include <limits>
 
 namespace galaxy
 {
-PixelPosition PixelLattice::nowhere()
-{
-  constexpr double blank = std::numeric_limits<double>::quiet_NaN();
-  return { blank, blank };
-}
-
-PixelLattice::PixelLattice(double left, double bottom, double right, double top, const Way& exact)
+PixelLattice::PixelLattice(
+  double left, double bottom, double right, double top, const Way& exact, double tolerance)
   : left(left)
   , bottom(bottom)
 {
@@ -25,7 +19,7 @@ PixelLattice::PixelLattice(double left, double bottom, double right, double top,
   this->cellWidth = (right - left) / this->cells;
   this->cellHeight = (top - bottom) / this->cells;
   this->fill(exact);
-  while (this->cells < mostCells && !this->isFine(exact))
+  while (this->cells < mostCells && !this->isFine(exact, tolerance))
   {
     this->cells *= 2;
     this->cellWidth /= 2;
@@ -36,6 +30,8 @@ PixelLattice::PixelLattice(double left, double bottom, double right, double top,
 
 void PixelLattice::fill(const Way& exact)
 {
+  this->perWidth = 1 / this->cellWidth;
+  this->perHeight = 1 / this->cellHeight;
   const std::size_t side = static_cast<std::size_t>(this->cells) + 1;
   this->points.resize(side * side);
   for (std::size_t v = 0; v < side; ++v)
@@ -48,9 +44,8 @@ void PixelLattice::fill(const Way& exact)
   }
 }
 
-bool PixelLattice::isFine(const Way& exact) const
+bool PixelLattice::isFine(const Way& exact, double tolerance) const
 {
-  constexpr double tolerance = 0.01;
   for (int v = 0; v < this->cells; ++v)
   {
     for (int u = 0; u < this->cells; ++u)
@@ -66,27 +61,5 @@ bool PixelLattice::isFine(const Way& exact) const
     }
   }
   return true;
-}
-
-PixelPosition PixelLattice::at(double x, double y) const
-{
-  const double u = (x - this->left) / this->cellWidth;
-  const double v = (y - this->bottom) / this->cellHeight;
-  if (!(u >= 0 && v >= 0 && u < this->cells && v < this->cells))
-  {
-    return nowhere();
-  }
-  const auto column = static_cast<std::size_t>(u);
-  const auto row = static_cast<std::size_t>(v);
-  const double p = u - column;
-  const double q = v - row;
-  const std::size_t stride = static_cast<std::size_t>(this->cells) + 1;
-  const PixelPosition* lower = &this->points[row * stride + column];
-  const PixelPosition* upper = lower + stride;
-  const auto blend = [p, q](double p00, double p10, double p01, double p11) {
-    return (1 - q) * ((1 - p) * p00 + p * p10) + q * ((1 - p) * p01 + p * p11);
-  };
-  return { blend(lower[0].x, lower[1].x, upper[0].x, upper[1].x),
-    blend(lower[0].y, lower[1].y, upper[0].y, upper[1].y) };
 }
 } // namespace galaxy

@@ -1,18 +1,189 @@
 #include "Readers/Formats/GalaxyKeys.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace galaxy
 {
+namespace
+{
+using S = SpheroidDescription;
+using Profile = SpheroidProfile;
+
+const std::vector<std::string> profileNames = { "Gaussian", "Sersic", "Hernquist", "Exponential",
+  "Plummer", "NFW", "Cored" };
+const std::vector<std::string> presetNames = { "None", "Bulge", "StellarHalo", "DarkHalo",
+  "Elliptical", "DwarfSpheroidal", "DwarfElliptical", "DwarfIrregular" };
+
+/// An angle by which the spheroid leaves the rings' axes for its own.
+Key<S> orienting(Key<S> key)
+{
+  key.byDefault = "the axes of tilted";
+  key.set = [set = key.set](const KeyValue& value, S& out) {
+    set(value, out);
+    out.oriented = true;
+  };
+  return key;
+}
+
+class SpheroidCheck
+{
+public:
+  SpheroidCheck(const KeyValue& section, const S& spheroid)
+    : section(section)
+    , table(section.table())
+    , spheroid(spheroid)
+  {
+  }
+
+  /// A length or a number that only some profiles look at.
+  void belongsTo(const char* key, std::initializer_list<Profile> profiles) const
+  {
+    const Profile own = this->spheroid.profile;
+    if (std::find(profiles.begin(), profiles.end(), own) == profiles.end())
+    {
+      this->failWhereGiven(key, "is no key of profile " + profileNames[static_cast<int>(own)]);
+    }
+  }
+
+  void excludes(const char* given, std::initializer_list<const char*> others) const
+  {
+    for (const char* other : others)
+    {
+      if (this->table.contains(given))
+      {
+        this->failWhereGiven(
+          other, std::string("contradicts ") + given + ": give one or the other");
+      }
+    }
+  }
+
+  void needs(const char* key, const char* other) const
+  {
+    if (!this->table.contains(other))
+    {
+      this->failWhereGiven(key, std::string("needs ") + other);
+    }
+  }
+
+  void failWhereGiven(const char* key, const std::string& what) const
+  {
+    if (const toml::node* node = this->table.get(key))
+    {
+      KeyValue(this->section.file, key, *node).fail(what);
+    }
+  }
+
+private:
+  const KeyValue& section;
+  const toml::table& table;
+  const S& spheroid;
+};
+
+void checkSpheroid(const KeyValue& section, const S& spheroid)
+{
+  const SpheroidCheck check(section, spheroid);
+  check.belongsTo("sigma", { Profile::Gaussian });
+  check.belongsTo("effective_radius", { Profile::Sersic });
+  check.belongsTo("sersic_index", { Profile::Sersic });
+  check.belongsTo("scale_radius",
+    { Profile::Hernquist, Profile::Exponential, Profile::Plummer, Profile::NFW, Profile::Cored });
+  check.belongsTo("slope", { Profile::Cored });
+  check.belongsTo("concentration", { Profile::NFW, Profile::Cored });
+  check.belongsTo("axis_ratios",
+    { Profile::Sersic, Profile::Hernquist, Profile::Exponential, Profile::Plummer, Profile::NFW,
+      Profile::Cored });
+  check.excludes("tilted", { "position_angle", "inclination", "shells" });
+  check.excludes("shells", { "axis_ratios", "position_angle", "inclination" });
+  check.excludes("luminosity", { "central_brightness" });
+  check.excludes("clusters", { "cluster_list" });
+  check.needs("light_fraction", "light_from");
+  if (!(spheroid.truncation >= leastTruncation(spheroid)))
+  {
+    check.failWhereGiven("truncation", "must be at least a millionth of the profile's scale");
+  }
+}
+} // namespace
+
+double scaleOf(const SpheroidDescription& spheroid)
+{
+  switch (spheroid.profile)
+  {
+    case SpheroidProfile::Gaussian:
+      return spheroid.sigma[0];
+    case SpheroidProfile::Sersic:
+      return spheroid.effectiveRadius;
+    default:
+      return spheroid.scaleRadius;
+  }
+}
+
+double leastTruncation(const SpheroidDescription& spheroid)
+{
+  return 1e-6 * scaleOf(spheroid);
+}
+
 const Keys<SpheroidDescription>& spheroidKeys()
 {
-  using S = SpheroidDescription;
+  constexpr long long mostClusters = 1 << 24;
   static const Keys<S> keys = {
-    listKey<S>(
-      "sigma", &S::sigma, Range::positive(), "kpc", "Standard deviations along the three axes."),
+    choiceKey<S>("preset", &S::preset, presetNames,
+      "Defaults of a kind of spheroid, which the keys beside it override."),
+    choiceKey<S>("profile", &S::profile, profileNames, "Radial law of the density."),
+    listKey<S>("sigma", &S::sigma, Range::positive(), "kpc",
+      "Standard deviations along the three axes (Gaussian)."),
+    numberKey<S>("effective_radius", &S::effectiveRadius, Range::positive(), "kpc",
+      "Projected radius of half of the light (Sersic)."),
+    numberKey<S>("sersic_index", &S::sersicIndex, Range::from(0.5, 10), "",
+      "1 falls as a disk does, 4 as an elliptical (Sersic)."),
+    numberKey<S>("scale_radius", &S::scaleRadius, Range::positive(), "kpc",
+      "Scale of the density (all but Gaussian and Sersic)."),
+    numberKey<S>("slope", &S::slope, Range::from(3.1, 20), "",
+      "Exponent of the density's fall outside the core of scale_radius (Cored)."),
+    numberKey<S>("concentration", &S::concentration, Range::from(0.01, 1e6), "",
+      "Where there is no truncation, the spheroid ends at this many scale_radius (NFW, Cored)."),
+    numberKey<S>("truncation", &S::truncation, Range::positive(), "kpc",
+      "Where the spheroid ends along its first axis."),
+    listKey<S>("axis_ratios", &S::axisRatios, { 0, 1, true }, "",
+      "Second and third axis relative to the first (all but Gaussian)."),
     flagKey<S>("tilted", &S::tilted,
       "Whether the axes are the innermost ring's rather than the sky's West, North and depth."),
+    orienting(numberKey<S>("position_angle", &S::positionAngle, Range::any(), "degrees",
+      "Of the first axis, which lies in the sky, North through East.")),
+    orienting(numberKey<S>("inclination", &S::inclination, Range::from(-180, 180), "degrees",
+      "Of the plane of the first and second axis, tilted as the galaxy's disk is.")),
     numberKey<S>("central_brightness", &S::centralBrightness, Range::notNegative(), "",
-      "Brightness at the centre, seen along the third axis, where a layer's intensity 1 is 1."),
+      "Brightness at the centre, seen along the third axis, where a layer's intensity 1 is 1; at "
+      "effective_radius (Sersic) or at the radius of half of the mass (Hernquist, NFW)."),
+    withDefault(numberKey<S>("luminosity", &S::luminosity, Range::notNegative(), "kpc^2",
+                  "Whole light, intensity times area, in place of central_brightness."),
+      "from central_brightness"),
+    textKey<S>("light_from", &S::lightFrom, "Disk component from whose pixels the light is taken."),
+    numberKey<S>("light_fraction", &S::lightFraction, Range::from(0, 1), "",
+      "Of the light of light_from, how much is the spheroid's."),
+    integerKey<S>("clusters", &S::clusters, 0, mostClusters,
+      "Star clusters that stand as the profile says and share the particles; 0: a smooth body."),
+    textKey<S>("cluster_list", &S::clusterList,
+      "File of star clusters, relative to this one: x, y, z or ra, dec, distance; luminosity, "
+      "radius."),
+    numberKey<S>("cluster_radius", &S::clusterRadius, Range::positive(), "kpc",
+      "Plummer radius of a star cluster."),
+    textKey<S>("shells", &S::shells,
+      "File of nested ellipsoids, relative to this one: semi_major, axis_ratio_b, axis_ratio_c, "
+      "position_angle, inclination."),
   };
   return keys;
+}
+
+void readSpheroid(const KeyValue& value, SpheroidDescription& out)
+{
+  const toml::table& table = value.table();
+  if (const toml::node* preset = table.get("preset"))
+  {
+    out = spheroidPreset(
+      static_cast<SpheroidPreset>(KeyValue(value.file, "preset", *preset).choice(presetNames)));
+  }
+  readTable(value.file, "[component.spheroid]", table, spheroidKeys(), out);
+  checkSpheroid(value, out);
 }
 } // namespace galaxy

@@ -1,52 +1,123 @@
+#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Readers/Formats/WidthTable.h"
 
 #include <climits>
 
 namespace galaxy
 {
-const Keys<ThicknessDescription>& thicknessKeys()
+namespace
 {
-  using T = ThicknessDescription;
-  static const Keys<T> keys = {
+using T = ThicknessDescription;
+
+/// A number of the section, for the file and for the filters' properties alike.
+struct Number
+{
+  const char* name;
+  double T::*member;
+  Range range;
+  const char* unit;
+  const char* meaning;
+};
+
+const Number numbers[] = {
+  { "children", &T::children, Range::notNegative(), "",
+    "Children a seed, at intensity 1 (Gaussian) or at the centre (the others)." },
+  { "sigma", &T::sigma, Range::notNegative(), "kpc",
+    "Spread in all directions (Gaussian, and Tapered read literally) or in the plane (the "
+    "others)." },
+  { "compression", &T::compression, Range::from(0, 1), "",
+    "Exponent from the image's intensity to the seed's (Gaussian)." },
+  { "scale_length", &T::scaleLength, Range::positive(), "kpc",
+    "Radial scale length: of the children (Tapered) or the stars (Hydrostatic)." },
+  { "scale_height", &T::scaleHeight, Range::positive(), "kpc",
+    "Vertical scale: of the children (Tapered) or the stars (Hydrostatic)." },
+  { "fwhm_centre", &T::fwhmCentre, Range::notNegative(), "kpc",
+    "Full width at half maximum at the centre (Flared)." },
+  { "fwhm_edge", &T::fwhmEdge, Range::positive(), "kpc",
+    "Full width at half maximum at the stellar disc's edge (Flared)." },
+  { "edge_radius", &T::edgeRadius, Range::positive(), "kpc",
+    "Radius of the stellar disc's edge (Flared)." },
+  { "flare_length", &T::flareLength, Range::positive(), "kpc",
+    "Length of the exponential flare beyond the edge (Flared)." },
+  { "fwhm_maximum", &T::fwhmMaximum, Range::positive(), "kpc",
+    "Largest full width at half maximum (Flared)." },
+  { "reference_velocity", &T::referenceVelocity, Range::positive(), "km/s",
+    "Rotation velocity at which the widths hold (Flared)." },
+  { "velocity_exponent", &T::velocityExponent, Range::any(), "",
+    "Exponent of reference over rotation velocity (Flared)." },
+  { "gas_dispersion", &T::gasDispersion, Range::positive(), "km/s",
+    "Velocity dispersion of the gas (Hydrostatic)." },
+  { "stellar_surface_density", &T::stellarSurfaceDensity, Range::notNegative(), "Msun/pc^2",
+    "Surface density of the stars at the centre (Hydrostatic)." },
+  { "gas_surface_density", &T::gasSurfaceDensity, Range::notNegative(), "Msun/pc^2",
+    "Surface density of the gas (Hydrostatic)." },
+};
+
+void readProfile(const KeyValue& value, T& out)
+{
+  out.profileTable = readWidthTable(besideFile(value.file, value.text()));
+}
+
+Keys<T> makeKeys()
+{
+  Keys<T> keys = {
     choiceKey<T>("model", &T::model, { "Gaussian", "Tapered", "Flared", "Hydrostatic", "Rings" },
       "How a seed becomes a cloud of children."),
     choiceKey<T>("law", &T::law, { "Gaussian", "Sech2", "Exponential", "Lorentzian", "Box" },
       "Vertical density law of Tapered, Flared and Hydrostatic.", 1),
-    numberKey<T>("children", &T::children, Range::notNegative(), "",
-      "Children a seed, at intensity 1 (Gaussian) or at the centre (the others)."),
-    integerKey<T>("maximum_children", &T::maximumChildren, 1, INT_MAX,
-      "Most children a seed; the light is kept."),
-    numberKey<T>("sigma", &T::sigma, Range::notNegative(), "kpc",
-      "Spread in all directions (Gaussian) or in the plane (the others)."),
-    numberKey<T>("compression", &T::compression, Range::from(0, 1), "",
-      "Exponent from the image's intensity to the seed's (Gaussian)."),
-    numberKey<T>("scale_length", &T::scaleLength, Range::positive(), "kpc",
-      "Radial scale length: of the children (Tapered) or the stars (Hydrostatic)."),
-    numberKey<T>("scale_height", &T::scaleHeight, Range::positive(), "kpc",
-      "Vertical scale: of the children (Tapered) or the stars (Hydrostatic)."),
+    choiceKey<T>("reading", &T::reading, { "RadialScale", "Literal" },
+      "Of the paper's formula (Tapered): the children fall with scale_length and are scale_height "
+      "thick, or fall with scale_height and spread by sigma."),
+    choiceKey<T>("child_light", &T::childLight, { "Share", "Inherit" },
+      "Whether the children of a seed share its light or have all of it each."),
+    integerKey<T>("maximum_children", &T::maximumChildren, 1, INT_MAX, "Most children a seed."),
     flagKey<T>("taper_thickness", &T::taperThickness,
       "Whether the thickness falls with radius as the children do (Tapered)."),
-    numberKey<T>("fwhm_centre", &T::fwhmCentre, Range::notNegative(), "kpc",
-      "Full width at half maximum at the centre (Flared)."),
-    numberKey<T>("fwhm_edge", &T::fwhmEdge, Range::positive(), "kpc",
-      "Full width at half maximum at the stellar disc's edge (Flared)."),
-    numberKey<T>("edge_radius", &T::edgeRadius, Range::positive(), "kpc",
-      "Radius of the stellar disc's edge (Flared)."),
-    numberKey<T>("flare_length", &T::flareLength, Range::positive(), "kpc",
-      "Length of the exponential flare beyond the edge (Flared)."),
-    numberKey<T>("fwhm_maximum", &T::fwhmMaximum, Range::positive(), "kpc",
-      "Largest full width at half maximum (Flared)."),
-    numberKey<T>("reference_velocity", &T::referenceVelocity, Range::positive(), "km/s",
-      "Rotation velocity at which the widths hold (Flared)."),
-    numberKey<T>("velocity_exponent", &T::velocityExponent, Range::any(), "",
-      "Exponent of reference over rotation velocity (Flared)."),
-    numberKey<T>("gas_dispersion", &T::gasDispersion, Range::positive(), "km/s",
-      "Velocity dispersion of the gas (Hydrostatic)."),
-    numberKey<T>("stellar_surface_density", &T::stellarSurfaceDensity, Range::notNegative(),
-      "Msun/pc^2", "Surface density of the stars at the centre (Hydrostatic)."),
-    numberKey<T>("gas_surface_density", &T::gasSurfaceDensity, Range::notNegative(), "Msun/pc^2",
-      "Surface density of the gas (Hydrostatic)."),
+    { "profile_table", "file", "none",
+      "Rows of radius and full width at half maximum, kpc, in place of all the formula (Flared).",
+      readProfile },
   };
+  for (const Number& number : numbers)
+  {
+    keys.push_back(
+      numberKey<T>(number.name, number.member, number.range, number.unit, number.meaning));
+  }
   return keys;
+}
+
+bool isOneOf(int value, int first, int last)
+{
+  return value >= first && value <= last;
+}
+} // namespace
+
+const Keys<T>& thicknessKeys()
+{
+  static const Keys<T> keys = makeKeys();
+  return keys;
+}
+
+void requireInRange(const T& thickness, const std::string& file, const std::string& component)
+{
+  const auto require = [&](bool right, const std::string& name, const std::string& range) {
+    if (!right)
+    {
+      throw Error(
+        file, component, "thickness: " + name + " must be " + (range.empty() ? "finite" : range));
+    }
+  };
+  for (const Number& number : numbers)
+  {
+    require(number.range.contains(thickness.*number.member), number.name, number.range.text());
+  }
+  require(thickness.maximumChildren >= 1, "maximum_children", "at least 1");
+  require(isOneOf(int(thickness.model), 0, int(ThicknessModel::Rings)), "model", "a known model");
+  require(
+    isOneOf(int(thickness.law), int(LayerLaw::Gaussian), int(LayerLaw::Box)), "law", "a known law");
+  require(isOneOf(int(thickness.reading), 0, int(TaperReading::Literal)), "reading",
+    "RadialScale or Literal");
+  require(isOneOf(int(thickness.childLight), 0, int(ChildLight::Inherit)), "child_light",
+    "Share or Inherit");
 }
 } // namespace galaxy

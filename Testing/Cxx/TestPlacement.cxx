@@ -45,7 +45,8 @@ Particles one(const Vec3& p, const Vec3& velocity, const std::string& name)
 {
   Particles particles = allocateParticles(1, true);
   const std::uint8_t color[3] = { 1, 2, 3 };
-  ParticleWriter(particles, 0, 0, 0.25).write(0, p, 2, color, velocity);
+  ParticleWriter(particles, 0, 0).write(0, p, 2, color, velocity);
+  particles.smoothingLength[0] = 0.25F;
   particles.components = { { name } };
   return particles;
 }

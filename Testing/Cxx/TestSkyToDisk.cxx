@@ -1,3 +1,4 @@
+#include "Filters/Model/DiskInverse.h"
 #include "Filters/Model/SkyToDisk.h"
 #include "Testing/Cxx/ModelFixtures.h"
 
@@ -157,5 +158,61 @@ TEST(SkyToDisk, CentreAndBeyond)
   const TiltedDisk held(flatDisk(10, 60, 30), m83Distance, SpinSense::FromCode,
     RingInterpolation::LinearAngles, BeyondLastRing::HoldLast);
   EXPECT_EQ(skyToDisk(held, 30, 0).size(), 1u);
+}
+
+TEST(DiskInverse, FindsWhatTheReferenceFinds)
+{
+  const TiltedDisk disks[] = { TiltedDisk(flatDisk(12, 65, 200), m83Distance),
+    TiltedDisk(flatDisk(12), m83Distance), TiltedDisk(m83Rings(), m83Distance),
+    TiltedDisk(m83Rings(), m83Distance, SpinSense::Clockwise),
+    TiltedDisk(m83Rings(), m83Distance, SpinSense::FromCode, RingInterpolation::Slerp), fold() };
+  for (const TiltedDisk& disk : disks)
+  {
+    const DiskInverse inverse(disk, 0, disk.lastRadius());
+    EXPECT_EQ(inverse.isSimple(), &disk != &disks[5]);
+    int places = 0, missed = 0;
+    for (double x = -1.01 * disk.lastRadius(); x < disk.lastRadius();
+         x += 0.0371 * disk.lastRadius())
+    {
+      for (double y = -disk.lastRadius(); y < disk.lastRadius(); y += 0.0413 * disk.lastRadius())
+      {
+        const std::vector<DiskPoint> wanted = skyToDisk(disk, x, y);
+        DiskInverse::Sheets sheets;
+        const auto found = static_cast<std::size_t>(inverse.find(x, y, sheets));
+        EXPECT_EQ(inverse.covers(x, y), found > 0);
+        missed += std::abs(static_cast<int>(wanted.size()) - static_cast<int>(found));
+        for (std::size_t k = 0; found == wanted.size() && k < found; ++k)
+        {
+          ++places;
+          EXPECT_NEAR(sheets[k].r / wanted[k].r, 1, 1e-8);
+          EXPECT_NEAR(sheets[k].cosTheta, std::cos(wanted[k].theta), 1e-7);
+          EXPECT_NEAR(sheets[k].sinTheta, std::sin(wanted[k].theta), 1e-7);
+        }
+      }
+    }
+    EXPECT_GT(places, 300);
+    EXPECT_LE(missed, 4); // pairs beside the caustics of the fold
+  }
+}
+
+TEST(DiskInverse, KeepsToItsRadii)
+{
+  const TiltedDisk disk(flatDisk(12, 60, 90), m83Distance);
+  const DiskInverse inverse(disk, 3, 8);
+  DiskInverse::Sheets sheets;
+  EXPECT_FALSE(inverse.covers(0, 0));
+  EXPECT_EQ(inverse.find(2.9, 0, sheets), 0);
+  ASSERT_EQ(inverse.find(3.1, 0, sheets), 1);
+  EXPECT_NEAR(sheets[0].r, 3.1, 1e-9);
+  EXPECT_EQ(inverse.find(8.1, 0, sheets), 0);
+  ASSERT_EQ(inverse.find(0, 3.9, sheets), 1); // the minor axis is half as long
+  EXPECT_NEAR(sheets[0].r, 7.8, 1e-9);
+  EXPECT_EQ(inverse.find(0, 4.1, sheets), 0);
+  // An edge-on disc covers no area (hard case 15), a face-on one is the sky itself (14).
+  const TiltedDisk edge(flatDisk(12, 90), m83Distance);
+  EXPECT_EQ(DiskInverse(edge, 0, 12).find(1, 1, sheets), 0);
+  const TiltedDisk face(flatDisk(12, 0), m83Distance);
+  ASSERT_EQ(DiskInverse(face, 0, 12).find(-3, 4, sheets), 1);
+  EXPECT_NEAR(sheets[0].r, 5, 1e-9);
 }
 } // namespace galaxy

@@ -1,0 +1,142 @@
+#include "Filters/Export/AtomicFile.h"
+
+#include "Readers/Formats/Error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace galaxy
+{
+namespace
+{
+/// Of links to links; the system follows no more.
+constexpr int mostLinks = 40;
+
+std::string folderOf(const std::string& path)
+{
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// The rename itself reaches the disk with the folder. Not every file system can do so; the file is
+/// whole either way.
+void syncFolder(const std::string& folder)
+{
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0)
+  {
+    fsync(descriptor);
+    close(descriptor);
+  }
+}
+} // namespace
+
+AtomicFile::AtomicFile(const std::string& file)
+  : file(file)
+  , target(file)
+{
+  namespace fs = std::filesystem;
+  std::error_code code;
+  for (int depth = 0; fs::is_symlink(this->target, code); ++depth)
+  {
+    if (depth == mostLinks)
+    {
+      this->fail(ELOOP);
+    }
+    const fs::path link = this->target;
+    this->target = (link.parent_path() / fs::read_symlink(link, code)).string();
+  }
+  const fs::file_status status = fs::status(this->target, code);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw Error(file, "", fs::is_directory(status) ? "is a folder" : "is not a regular file");
+  }
+  this->create();
+}
+
+void AtomicFile::create()
+{
+  // O_EXCL: two writers of one file must not share a temporary.
+  const std::filesystem::path path(this->target);
+  for (int attempt = 0; this->descriptor < 0; ++attempt)
+  {
+    this->temporary = folderOf(this->target) + "/." + path.filename().string() + "." +
+      std::to_string(getpid()) + "-" + std::to_string(attempt);
+    this->descriptor = open(this->temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (this->descriptor < 0 && errno != EEXIST)
+    {
+      this->fail(errno);
+    }
+  }
+}
+
+AtomicFile::~AtomicFile()
+{
+  if (this->descriptor >= 0)
+  {
+    close(this->descriptor);
+  }
+  if (!this->temporary.empty())
+  {
+    unlink(this->temporary.c_str());
+  }
+}
+
+void AtomicFile::reserve(std::uint64_t bytes)
+{
+  const int code = posix_fallocate(this->descriptor, 0, static_cast<off_t>(bytes));
+  if (code == ENOSPC || code == EFBIG || code == EDQUOT)
+  {
+    this->fail(code);
+  }
+}
+
+void AtomicFile::write(const void* data, std::size_t bytes)
+{
+  this->writeAt(this->end, data, bytes);
+  this->end += bytes;
+}
+
+void AtomicFile::writeAt(std::uint64_t offset, const void* data, std::size_t bytes)
+{
+  const char* from = static_cast<const char*>(data);
+  while (bytes > 0)
+  {
+    const ssize_t written = pwrite(this->descriptor, from, bytes, static_cast<off_t>(offset));
+    if (written < 0 && errno != EINTR)
+    {
+      this->fail(errno);
+    }
+    const std::size_t done = static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    from += done;
+    offset += done;
+    bytes -= done;
+  }
+}
+
+void AtomicFile::commit()
+{
+  if (fsync(this->descriptor) != 0)
+  {
+    this->fail(errno);
+  }
+  const int closed = close(this->descriptor);
+  this->descriptor = -1;
+  if (closed != 0 || rename(this->temporary.c_str(), this->target.c_str()) != 0)
+  {
+    this->fail(errno);
+  }
+  this->temporary.clear();
+  syncFolder(folderOf(this->target));
+}
+
+void AtomicFile::fail(int code) const
+{
+  throw Error(this->file, "", "cannot be written: " + std::generic_category().message(code));
+}
+} // namespace galaxy

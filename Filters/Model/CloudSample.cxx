@@ -1,0 +1,126 @@
+#include "Filters/Model/CloudSample.h"
+
+#include "Filters/Model/SameClones.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace galaxy
+{
+namespace
+{
+constexpr std::size_t blockSize = 512;
+constexpr float most = std::numeric_limits<float>::max();
+
+struct Box
+{
+  float low[3] = { most, most, most };
+  float high[3] = { -most, -most, -most };
+
+  void add(const Box& box)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->low[c] = std::min(this->low[c], box.low[c]);
+      this->high[c] = std::max(this->high[c], box.high[c]);
+    }
+  }
+};
+
+/// Widens `box` by n <= blockSize particles; `chosen` marks those whose hash has no bit of `mask`.
+GALAXY_SAME_CLONES
+void survey(
+  const float* position, std::size_t n, std::uint32_t mask, Box& box, std::uint8_t* chosen)
+{
+  float lx = most, ly = most, lz = most, hx = -most, hy = -most, hz = -most;
+#pragma omp simd reduction(min : lx, ly, lz) reduction(max : hx, hy, hz)
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    const float x = position[3 * j], y = position[3 * j + 1], z = position[3 * j + 2];
+    const bool finite =
+      (std::abs(x) <= most) & (std::abs(y) <= most) & (std::abs(z) <= most); // no branches
+    lx = std::min(lx, finite ? x : most), hx = std::max(hx, finite ? x : -most);
+    ly = std::min(ly, finite ? y : most), hy = std::max(hy, finite ? y : -most);
+    lz = std::min(lz, finite ? z : most), hz = std::max(hz, finite ? z : -most);
+    std::uint32_t bits[3];
+    std::memcpy(bits, position + 3 * j, sizeof(bits));
+    std::uint32_t hash = bits[0] * 0x9e3779b1u ^ bits[1] * 0x85ebca77u ^ bits[2] * 0xc2b2ae3du;
+    hash = (hash ^ hash >> 15) * 0x2c1b3c6du;
+    chosen[j] = finite & ((hash >> 16 & mask) == 0);
+  }
+  box.add({ { lx, ly, lz }, { hx, hy, hz } });
+}
+
+void copyChosen(
+  const float* position, std::size_t n, const std::uint8_t* chosen, std::vector<float>& to)
+{
+  std::uint16_t list[blockSize];
+  std::size_t m = 0;
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    list[m] = static_cast<std::uint16_t>(j);
+    m += chosen[j];
+  }
+  for (std::size_t k = 0; k < m; ++k)
+  {
+    const float* p = position + 3 * list[k];
+    to.insert(to.end(), p, p + 3);
+  }
+}
+} // namespace
+
+CloudSample::CloudSample(const float* position, std::size_t count, std::size_t most)
+{
+  std::uint32_t mask = 0;
+  while (count * this->taken > most)
+  {
+    mask = mask << 1 | 1;
+    this->taken /= 2;
+  }
+  // Should countless particles share one place, and so one hash, memory stays bounded all the same.
+  const std::size_t expected = count * this->taken / omp_get_max_threads();
+  const std::size_t room = 3 * (this->taken < 1 ? expected + expected / 4 + blockSize : count);
+  Box all;
+  this->chosen.resize(omp_get_max_threads());
+#pragma omp parallel
+  {
+    Box box;
+    std::vector<float> mine;
+    mine.reserve(std::min(room, 3 * (expected + 2 * blockSize)));
+    std::uint8_t marks[blockSize];
+#pragma omp for schedule(static) nowait
+    for (std::size_t i = 0; i < count; i += blockSize)
+    {
+      const std::size_t n = std::min(blockSize, count - i);
+      survey(position + 3 * i, n, mask, box, marks);
+      if (mine.size() + 3 * n <= room)
+      {
+        copyChosen(position + 3 * i, n, marks, mine);
+      }
+    }
+#pragma omp critical
+    all.add(box);
+    this->chosen[omp_get_thread_num()] = std::move(mine);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    this->low[c] = all.low[c];
+    this->longest = std::max(this->longest, double(all.high[c]) - all.low[c]);
+  }
+}
+
+std::size_t CloudSample::size() const
+{
+  std::size_t size = 0;
+  for (const std::vector<float>& piece : this->chosen)
+  {
+    size += piece.size() / 3;
+  }
+  return size;
+}
+} // namespace galaxy

@@ -1,0 +1,75 @@
+#ifndef galaxy_DiskInverse_h
+#define galaxy_DiskInverse_h
+
+#include "Filters/Model/RingGeometry.h"
+
+#include <array>
+#include <vector>
+
+namespace galaxy
+{
+/// A place on a disc that is seen at a point of the sky, and how much of the disc is seen there.
+struct DiskSheet
+{
+  double r = 0; ///< kpc
+  double cosTheta = 1;
+  double sinTheta = 0;
+  double share = 1; ///< of the light seen there: area of disc per area of sky, 1 in sum
+};
+
+/// From the sky to the disc, for many points: the same places as skyToDisk finds, by tables.
+///
+/// The function whose roots they are, f(r) = (r^2 - u^2) cos^2 i - w^2 (see skyToDisk), needs only
+/// three numbers a ring, which are tabulated. Where the Jacobian of the surface on the sky has one
+/// sign throughout, the root is single and a binary search finds its place in the table; elsewhere
+/// the whole table is looked through. Radii are right to 1e-8 of themselves; two roots on either
+/// side of a caustic that lie closer than a step of the table, 1/192 of a range between two rings,
+/// can go unseen together.
+class DiskInverse
+{
+public:
+  static constexpr int mostSheets = 16;
+  using Sheets = std::array<DiskSheet, mostSheets>;
+
+  /// Looks at radii from `inner` to `outer` (kpc).
+  DiskInverse(const TiltedDisk& disk, double inner, double outer);
+
+  /// Writes the sheets seen at (x, y), kpc to the West and North, by increasing radius; their
+  /// number.
+  int find(double x, double y, Sheets& sheets) const;
+  /// Whether there is any.
+  bool covers(double x, double y) const;
+  /// Whether every point of the sky shows one sheet at most.
+  bool isSimple() const { return this->simple; }
+
+private:
+  /// A ring: the receding axis's direction on the sky and cos^2 of its inclination.
+  struct Row
+  {
+    double r;
+    double ax, ay;
+    double cos2;
+    double f(double x, double y) const
+    {
+      const double u = x * this->ax + y * this->ay;
+      const double w = y * this->ax - x * this->ay;
+      return (this->r - u) * (this->r + u) * this->cos2 - w * w;
+    }
+  };
+
+  void tabulate(double start, double end);
+  bool jacobianKeepsItsSign() const;
+  static Row rowOf(const RingFrame& ring, double r);
+  int search(double x, double y, std::array<double, mostSheets>& roots) const;
+  static double guess(const Row& low, const Row& high, double x, double y);
+  double refine(const Row& low, const Row& high, double x, double y) const;
+  DiskSheet sheetAt(double r, double x, double y) const;
+
+  const TiltedDisk& disk;
+  std::vector<Row> rows;
+  std::vector<std::size_t> starts; ///< of the ranges between rings, where the disc may have a step
+  bool simple;
+};
+} // namespace galaxy
+
+#endif

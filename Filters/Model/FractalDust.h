@@ -1,0 +1,23 @@
+#ifndef galaxy_FractalDust_h
+#define galaxy_FractalDust_h
+
+#include "Filters/Model/ParticleWriter.h"
+#include "Filters/Model/Thickness.h"
+
+namespace galaxy
+{
+/// Clouds of dust (DustModel::Fractal): every seed gets `children` particles, the first above or
+/// below the seed itself, the others displaced in the plane by normal deviates of rms `spread` as
+/// well; heights are normal with the rms `scale_height`, below normalFocalHeight. A particle that
+/// would leave the radii its seeds were drawn from stays above its seed. The particles share the
+/// seed's light in proportion to FractalClouds: equally in the mean over the clouds, not within
+/// each seed.
+ParticleStarts countFractalDust(const Seeds& seeds, const ComponentDescription& component);
+
+/// Writes them, their light being `lightFactor` times the seeds'.
+void placeFractalDust(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
+  const ComponentDescription& component, const RandomKey& key, double lightFactor,
+  const ParticleWriter& writer);
+} // namespace galaxy
+
+#endif

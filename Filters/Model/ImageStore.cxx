@@ -1,0 +1,208 @@
+#include "Filters/Model/ImageStore.h"
+
+#include "Filters/Model/Deredden.h"
+#include "Filters/Model/DiskInverse.h"
+#include "Filters/Model/ImageCleaning.h"
+#include "Filters/Model/IntensityScale.h"
+#include "Filters/Model/Seeds.h"
+#include "Readers/Formats/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace galaxy
+{
+ImageStore::ImageStore(const Galaxy& input, const TiltedDisk& disk, double radius)
+  : galaxy(input.description)
+  , images(input.images)
+  , disk(disk)
+  , sky(this->galaxy.centre, this->galaxy.distance)
+  , radius(radius)
+{
+}
+
+void ImageStore::prepare(const ComponentDescription& component)
+{
+  for (const LayerDescription& layer : component.layers)
+  {
+    this->prepared(layer.image);
+  }
+}
+
+LightMap ImageStore::lightOf(const ComponentDescription& component, double radius)
+{
+  std::vector<SeedLayer> layers;
+  for (const LayerDescription& layer : component.layers)
+  {
+    layers.push_back(this->layerOf(component, layer));
+  }
+  return LightMap(
+    layers, component, radius, this->galaxy.file, this->dereddeningOf(component, radius));
+}
+
+SeedLayer ImageStore::layerOf(const ComponentDescription& component, const LayerDescription& layer)
+{
+  const SkyImage& image = this->prepared(layer.image);
+  const IntensityScale scale(layer, image.values(), this->galaxy.file);
+  const SeedLayer made = { &image, [scale](double value, double, double) { return scale(value); },
+    layer.threshold, layer.weight, layer.color };
+  return component.role == ComponentRole::Absorbs &&
+      component.depth.calibration != DepthCalibration::Given
+    ? this->calibratedLayerOf(component, layer, made)
+    : made;
+}
+
+SeedLayer ImageStore::calibratedLayerOf(
+  const ComponentDescription& component, const LayerDescription& layer, SeedLayer uncalibrated)
+{
+  SeedLayer calibrated = uncalibrated;
+  if (component.depth.calibration == DepthCalibration::FaceOn)
+  {
+    const OpticalDepth depth(component, this->galaxy.file);
+    const DiskInverse inverse(this->disk, 0, this->radius);
+    calibrated.scale = [=, scale = uncalibrated.scale, &disk = this->disk](
+                         double value, double x, double y) {
+      DiskInverse::Sheets sheets;
+      const bool onDisk = inverse.find(x, y, sheets) > 0;
+      return onDisk ? depth(scale(value, x, y), 0, std::abs(disk.frame(sheets[0].r).n.z)) : 0;
+    };
+    return calibrated;
+  }
+  const std::string companionName = OpticalDepth::companionOf(component);
+  const SkyImage* companion = companionName.empty() ? nullptr : &this->prepared(companionName);
+  const DepthImage own = this->depthImageOf(layer.image);
+  const DepthImage other = companion ? this->depthImageOf(companionName) : DepthImage{};
+  OpticalDepth depth(component, this->galaxy.file, &own, companion ? &other : nullptr);
+  const auto companionAt = [companion](double x, double y) {
+    return companion ? companion->smoothValue(x, y) : 0;
+  };
+  if (depth.needsReference())
+  {
+    // A sunflower of points, even in the disc's area.
+    constexpr std::size_t points = 100000;
+    constexpr double goldenAngle = 2.3999632297286533;
+    const double outer =
+      std::min(component.depth.referenceRadius, outerRadiusOf(component, this->disk));
+    const auto radiusOf = [=](std::size_t k) { return outer * std::sqrt((k + 0.5) / points); };
+    depth.setReference(meanWithin(points, outer, radiusOf, [&](std::size_t k) {
+      const Vec3 p = this->disk.position(radiusOf(k), k * goldenAngle);
+      return depth.signal(uncalibrated.image->value(p.x, p.y), companionAt(p.x, p.y));
+    }));
+  }
+  calibrated.scale = [depth, companionAt](double value, double x, double y) {
+    return depth(value, companionAt(x, y));
+  };
+  return calibrated;
+}
+
+DepthImage ImageStore::depthImageOf(const std::string& name) const
+{
+  const std::size_t index = this->indexOf(name);
+  const Image& image = this->images[index];
+  const bool converts = !isColumnDensity(image.unit);
+  return { name, image.unit,
+    converts ? brightnessOf(image, this->galaxy.images[index]) : Brightness{} };
+}
+
+LightMap::ChangeColor ImageStore::dereddeningOf(
+  const ComponentDescription& component, double radius)
+{
+  if (component.deredden.empty())
+  {
+    return {};
+  }
+  const auto& components = this->galaxy.components;
+  const auto dust = std::find_if(components.begin(), components.end(),
+    [&](const ComponentDescription& other) { return other.name == component.deredden; });
+  if (dust == components.end() || dust->layers.empty())
+  {
+    throw Error(this->galaxy.file, component.name,
+      "deredden: " + component.deredden + " is no component with layers");
+  }
+  const auto map = std::make_shared<LightMap>(this->lightOf(*dust, radius));
+  const double perIntensity = lightFactor(*dust);
+  return [map, perIntensity, absorption = dust->absorption, geometry = component.dustGeometry](
+           double x, double y, Color& color) {
+    const std::uint32_t pixel = map->pixelAt(x, y);
+    const double tau = pixel == LightMap::nowhere ? 0 : perIntensity * map->intensity(pixel);
+    const Color factors = dereddening(geometry, tau, absorption);
+    std::transform(
+      color.begin(), color.end(), factors.begin(), color.begin(), std::multiplies<double>());
+  };
+}
+
+double ImageStore::beamOf(const ComponentDescription& component) const
+{
+  double sharpest = std::numeric_limits<double>::infinity();
+  for (const LayerDescription& layer : component.layers)
+  {
+    // One that is combined of others is as sharp as its first.
+    const ImageDescription* description = &this->galaxy.images[this->indexOf(layer.image)];
+    while (!description->combine.empty())
+    {
+      description = &this->galaxy.images[this->indexOf(description->combine.front())];
+    }
+    const Image& image = this->images[description - this->galaxy.images.data()];
+    const CleanImage clean = cleanedImage(image, *description);
+    sharpest = std::min(sharpest, resolutionOf(image, *description, clean.grid).beam);
+  }
+  constexpr double perRadian = 206264.80624709636;
+  return sharpest / perRadian * 1000 * this->galaxy.distance;
+}
+
+const SkyImage& ImageStore::prepared(const std::string& name)
+{
+  std::unique_ptr<SkyImage>& image = this->skyImages[name];
+  if (!image)
+  {
+    const std::size_t index = this->indexOf(name);
+    const ImageDescription& description = this->galaxy.images[index];
+    image = std::make_unique<SkyImage>(description.combine.empty()
+        ? cleanedImage(this->images[index], description)
+        : this->combined(description),
+      this->sky, this->radius);
+  }
+  return *image;
+}
+
+std::size_t ImageStore::indexOf(const std::string& name) const
+{
+  const auto& known = this->galaxy.images;
+  const auto found = std::find_if(known.begin(), known.end(),
+    [&name](const ImageDescription& description) { return description.name == name; });
+  if (found == known.end())
+  {
+    throw Error(this->galaxy.file, name, "an image is named that is not described");
+  }
+  if (this->images.size() != known.size())
+  {
+    throw Error(this->galaxy.file, name, "not every described image was given");
+  }
+  return found - known.begin();
+}
+
+CleanImage ImageStore::combined(const ImageDescription& description) const
+{
+  std::vector<CombineSource> sources;
+  for (const std::string& name : description.combine)
+  {
+    const std::size_t index = this->indexOf(name);
+    const Image& image = this->images[index];
+    const ImageDescription& own = this->galaxy.images[index];
+    CleanImage clean = cleanedImage(image, own);
+    const Resolution resolution = resolutionOf(image, own, clean.grid);
+    sources.push_back({ name, std::move(clean), resolution });
+  }
+  return combineImages(sources, description.signalAbove, this->galaxy.file, description.name);
+}
+
+double lightFactor(const ComponentDescription& component)
+{
+  return component.role == ComponentRole::Absorbs &&
+      component.depth.calibration == DepthCalibration::Given
+    ? component.opticalDepth
+    : 1;
+}
+} // namespace galaxy

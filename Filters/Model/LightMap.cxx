@@ -1,0 +1,272 @@
+#include "Filters/Model/LightMap.h"
+
+#include "Readers/Formats/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace galaxy
+{
+namespace
+{
+/// Layers whose pixels are larger than the map's by this are interpolated.
+constexpr double coarse = 1.2;
+
+PlaneBox unionOf(const std::vector<SeedLayer>& layers)
+{
+  constexpr double far = std::numeric_limits<double>::infinity();
+  PlaneBox box = { far, far, -far, -far };
+  for (const SeedLayer& layer : layers)
+  {
+    const PlaneBox& one = layer.image->extent();
+    box.left = std::min(box.left, one.left);
+    box.bottom = std::min(box.bottom, one.bottom);
+    box.right = std::max(box.right, one.right);
+    box.top = std::max(box.top, one.top);
+  }
+  return box;
+}
+
+/// The image with the smallest pixels; of equal ones the first.
+const SkyImage& finestOf(const std::vector<SeedLayer>& layers)
+{
+  const SkyImage* finest = layers.front().image;
+  for (const SeedLayer& layer : layers)
+  {
+    if (layer.image->pixelSide() < finest->pixelSide() * (1 - 1e-6))
+    {
+      finest = layer.image;
+    }
+  }
+  return *finest;
+}
+
+/// The first and last whole pixels, along both axes, of what a box shows of an image's plane.
+struct PixelBox
+{
+  double left = std::numeric_limits<double>::infinity();
+  double bottom = left, right = -left, top = -left;
+};
+
+PixelBox pixelsOf(const PlaneBox& box, const SkyImage& image)
+{
+  constexpr int probes = 64;
+  PixelBox pixels;
+  for (int v = 0; v <= probes; ++v)
+  {
+    for (int u = 0; u <= probes; ++u)
+    {
+      const PixelPosition at = image.exactPixelAt(box.left + (box.right - box.left) * u / probes,
+        box.bottom + (box.top - box.bottom) * v / probes);
+      if (std::isfinite(at.x) && std::isfinite(at.y))
+      {
+        pixels.left = std::min(pixels.left, std::floor(at.x + 0.5));
+        pixels.right = std::max(pixels.right, std::floor(at.x + 0.5));
+        pixels.bottom = std::min(pixels.bottom, std::floor(at.y + 0.5));
+        pixels.top = std::max(pixels.top, std::floor(at.y + 0.5));
+      }
+    }
+  }
+  return pixels;
+}
+} // namespace
+
+ShownColor shownColor(const Color& color)
+{
+  ShownColor shown{ *std::max_element(color.begin(), color.end()), { 0, 0, 0 } };
+  for (int c = 0; c < 3 && shown.intensity > 0; ++c)
+  {
+    const double ratio = std::clamp(color[c] / shown.intensity, 0.0, 1.0);
+    shown.ratios[c] = static_cast<std::uint8_t>(255 * ratio + 0.5);
+  }
+  return shown;
+}
+
+LightMap::LightMap(const std::vector<SeedLayer>& layers, const ComponentDescription& component,
+  double radius, const std::string& file, const ChangeColor& change)
+  : absorbs(component.role == ComponentRole::Absorbs)
+{
+  this->chooseGrid(layers, radius, file, component.name);
+  this->fill(layers, change);
+}
+
+void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius,
+  const std::string& file, const std::string& component)
+{
+  const SkyImage& finest = finestOf(layers);
+  PlaneBox box = unionOf(layers);
+  box = { std::max(box.left, -radius), std::max(box.bottom, -radius), std::min(box.right, radius),
+    std::min(box.top, radius) };
+  if (!(box.right > box.left && box.top > box.bottom))
+  {
+    return;
+  }
+  const PixelBox pixels = pixelsOf(box, finest);
+  if (!(pixels.right >= pixels.left && pixels.top >= pixels.bottom))
+  {
+    return;
+  }
+  const double width = pixels.right - pixels.left + 1, height = pixels.top - pixels.bottom + 1;
+  if (!(width * height <= 0x1p26))
+  {
+    throw Error(file, component,
+      "layers: its smallest pixels over all that its images show would be more than 67 million; "
+      "give the wide image a component of its own, or a smaller outer_radius");
+  }
+  this->grid = finest.grid();
+  this->grid.width = this->columns = static_cast<int>(width);
+  this->grid.height = this->rows = static_cast<int>(height);
+  this->grid.shift.x -= pixels.left - 1;
+  this->grid.shift.y -= pixels.bottom - 1;
+  this->frame = finest.skyFrame();
+  this->side = finest.pixelSide();
+  this->toPixel = PixelLattice(box.left, box.bottom, box.right, box.top, [&](double x, double y) {
+    PixelPosition pixel;
+    return this->grid.skyToPixel(this->frame.planeToSky(x, y), pixel) ? pixel
+                                                                      : PixelLattice::nowhere();
+  });
+  this->toPlane = PixelLattice(
+    0.5, 0.5, this->columns + 0.5, this->rows + 0.5,
+    [&](double column, double row) {
+      SkyPosition sky;
+      double x, y;
+      return this->grid.pixelToSky({ column, row }, sky) && this->frame.skyToPlane(sky, x, y)
+        ? PixelPosition{ x, y }
+        : PixelLattice::nowhere();
+    },
+    0.001 * this->side);
+}
+
+Color LightMap::colorAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse,
+  double x, double y, double& total) const
+{
+  Color color = { 0, 0, 0 };
+  total = 0;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+  {
+    const SeedLayer& layer = layers[k];
+    const double value = isCoarse[k] ? layer.image->smoothValue(x, y) : layer.image->value(x, y);
+    const double intensity = layer.scale(value, x, y);
+    if (intensity > 0 && intensity >= layer.threshold)
+    {
+      total += layer.weight * intensity;
+      for (int c = 0; c < 3; ++c)
+      {
+        color[c] += layer.weight * intensity * layer.color[c];
+      }
+    }
+  }
+  return color;
+}
+
+void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& change)
+{
+  const std::size_t pixels = static_cast<std::size_t>(this->columns) * this->rows;
+  this->fluxes.assign(pixels, 0);
+  this->intensities.assign(pixels, 0);
+  this->colors.assign(3 * pixels, 0);
+  std::vector<bool> isCoarse;
+  for (const SeedLayer& layer : layers)
+  {
+    isCoarse.push_back(layer.image->pixelSide() > coarse * this->side);
+  }
+#pragma omp parallel for schedule(dynamic, 4096)
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+  {
+    const auto p = static_cast<std::uint32_t>(pixel);
+    const PixelPosition at = this->pointIn(p, 0.5, 0.5);
+    double total;
+    Color color = this->colorAt(layers, isCoarse, at.x, at.y, total);
+    if (change && total > 0)
+    {
+      change(at.x, at.y, color);
+    }
+    const ShownColor shown = shownColor(color);
+    const double intensity = this->absorbs ? total : shown.intensity;
+    const double flux =
+      intensity * this->toPlane.areaFactor(1 + pixel % this->columns, 1 + pixel / this->columns);
+    if (flux > 0 && std::isfinite(flux))
+    {
+      this->intensities[p] = static_cast<float>(intensity);
+      this->fluxes[p] = static_cast<float>(flux);
+      std::copy(shown.ratios.begin(), shown.ratios.end(), &this->colors[3 * pixel]);
+    }
+  }
+}
+
+double LightMap::totalFlux() const
+{
+  return std::accumulate(this->fluxes.begin(), this->fluxes.end(), 0.0);
+}
+
+bool LightMap::isLitOn(const DiskInverse& disk, std::uint32_t pixel) const
+{
+  if (!(this->fluxes[pixel] > 0))
+  {
+    return false;
+  }
+  const PixelPosition centre = this->pointIn(pixel, 0.5, 0.5);
+  return disk.covers(centre.x, centre.y);
+}
+
+std::size_t LightMap::litPixels(const DiskInverse& disk) const
+{
+  std::size_t count = 0;
+#pragma omp parallel for schedule(dynamic, 4096) reduction(+ : count)
+  for (std::size_t pixel = 0; pixel < this->size(); ++pixel)
+  {
+    count += this->isLitOn(disk, static_cast<std::uint32_t>(pixel));
+  }
+  return count;
+}
+
+void LightMap::take(std::uint32_t pixel, float flux)
+{
+  const float left = std::max(0.0F, this->fluxes[pixel] - flux);
+  this->intensities[pixel] *= this->fluxes[pixel] > 0 ? left / this->fluxes[pixel] : 0;
+  this->fluxes[pixel] = left;
+}
+
+void LightMap::halve()
+{
+  const int oldColumns = this->columns, oldRows = this->rows;
+  this->columns = (oldColumns + 1) / 2;
+  this->rows = (oldRows + 1) / 2;
+  this->binning *= 2;
+  this->perBin *= 0.5;
+  this->side *= 2;
+  const std::size_t pixels = static_cast<std::size_t>(this->columns) * this->rows;
+  std::vector<float> fluxes(pixels), intensities(pixels);
+  std::vector<std::uint8_t> colors(3 * pixels);
+  for (std::size_t p = 0; p < pixels; ++p)
+  {
+    double flux = 0, intensity = 0;
+    Color color = { 0, 0, 0 };
+    for (int part = 0; part < 4; ++part)
+    {
+      const int column = 2 * static_cast<int>(p % this->columns) + (part & 1);
+      const int row = 2 * static_cast<int>(p / this->columns) + (part >> 1);
+      if (column < oldColumns && row < oldRows)
+      {
+        const std::size_t old = static_cast<std::size_t>(row) * oldColumns + column;
+        flux += this->fluxes[old];
+        intensity += 0.25 * this->intensities[old];
+        for (int c = 0; c < 3; ++c)
+        {
+          color[c] += double(this->fluxes[old]) * this->colors[3 * old + c];
+        }
+      }
+    }
+    const ShownColor shown = shownColor(color);
+    // Colours add channel by channel, which can only lower the largest.
+    fluxes[p] = static_cast<float>(this->absorbs ? flux : shown.intensity / 255);
+    intensities[p] = static_cast<float>(intensity);
+    std::copy(shown.ratios.begin(), shown.ratios.end(), &colors[3 * p]);
+  }
+  this->fluxes = std::move(fluxes);
+  this->intensities = std::move(intensities);
+  this->colors = std::move(colors);
+}
+} // namespace galaxy

@@ -1,0 +1,91 @@
+#include "Filters/Model/PixelDraws.h"
+
+#include "Filters/Model/HilbertOrder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace galaxy
+{
+namespace
+{
+std::vector<char> pixelsOnDisk(const LightMap& map, const DiskInverse& inverse)
+{
+  std::vector<char> onDisk(map.size());
+#pragma omp parallel for schedule(dynamic, 4096)
+  for (std::size_t k = 0; k < map.size(); ++k)
+  {
+    onDisk[k] = map.isLitOn(inverse, static_cast<std::uint32_t>(k));
+  }
+  return onDisk;
+}
+} // namespace
+
+PixelDraws::PixelDraws(
+  const LightMap& map, const DiskInverse& inverse, std::size_t seeds, double shift)
+  : shift(shift)
+  , seeds(seeds)
+{
+  const std::vector<char> onDisk = pixelsOnDisk(map, inverse);
+  this->pixels.reserve(std::count(onDisk.begin(), onDisk.end(), 1));
+  HilbertOrder(map.width(), map.height(), [&](int column, int row) {
+    const auto pixel = static_cast<std::uint32_t>(row) * map.width() + column;
+    if (onDisk[pixel])
+    {
+      this->pixels.push_back(pixel);
+    }
+  });
+  this->share(map, seeds);
+}
+
+// e_p = max(least, lambda F_p): lambda falls from its value without a least as pixels below it take
+// theirs, which can only bring more pixels below, so that the iteration ends.
+void PixelDraws::share(const LightMap& map, std::size_t seeds)
+{
+  if (this->pixels.empty() || seeds == 0)
+  {
+    this->ends.assign(this->pixels.size(), 0);
+    return;
+  }
+  const double least = seeds >= 2 * this->pixels.size() ? 1 : 0;
+  double lambda = 0; // at first no pixel is below its least
+  std::size_t below = 0;
+  for (bool settled = false; !settled;)
+  {
+    double flux = 0;
+    std::size_t count = 0;
+    for (const std::uint32_t pixel : this->pixels)
+    {
+      const bool isBelow = lambda > 0 && lambda * map.flux(pixel) < least;
+      count += isBelow;
+      flux += isBelow ? 0 : map.flux(pixel);
+    }
+    settled = lambda > 0 && count <= below;
+    below = count;
+    lambda = (static_cast<double>(seeds) - static_cast<double>(below)) / flux;
+  }
+  double sum = 0;
+  this->ends.reserve(this->pixels.size());
+  for (const std::uint32_t pixel : this->pixels)
+  {
+    sum += std::max(least, lambda * map.flux(pixel));
+    this->ends.push_back(sum);
+  }
+  // What rounding has left must not keep the last seed from its pixel.
+  this->ends.back() = std::max(sum, static_cast<double>(seeds));
+}
+
+std::size_t PixelDraws::firstSeed(std::size_t k) const
+{
+  const double start = k > 0 ? this->ends[k - 1] : 0;
+  return std::min(
+    this->seeds, static_cast<std::size_t>(std::max(0.0, std::ceil(start - this->shift))));
+}
+
+std::size_t PixelDraws::pixelOfSeed(std::size_t seed) const
+{
+  const auto end =
+    std::upper_bound(this->ends.begin(), this->ends.end(), static_cast<double>(seed) + this->shift);
+  return std::min<std::size_t>(end - this->ends.begin(), this->ends.size() - 1);
+}
+} // namespace galaxy

@@ -1,0 +1,184 @@
+#include "vtkParticleWriter.h"
+
+#include "Filters/Export/ExportParticles.h"
+#include "Filters/ParticleData.h"
+#include "Filters/PointArrays.h"
+#include "Readers/Formats/Error.h"
+#include "Readers/ReportErrors.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkParticleWriter);
+
+namespace
+{
+using galaxy::PointArrays;
+
+/// Bytes of colours given as 0 to 1, as VTK understands colours of floats.
+const unsigned char* bytesOfColors(vtkDataArray* colors, PointArrays::Converted& converted)
+{
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetNumberOfComponents(3);
+  bytes->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double value = std::clamp(colors->GetComponent(i, channel), 0.0, 1.0);
+      bytes->SetTypedComponent(i, channel, static_cast<unsigned char>(255 * value + 0.5));
+    }
+  }
+  converted.push_back(bytes);
+  return bytes->GetPointer(0);
+}
+
+/// The view's components: the polydata's table, or without one as many as the particles tell of.
+void viewComponents(vtkPolyData* particles, galaxy::ParticleTable& table)
+{
+  table.components = galaxy::toComponents(particles->GetFieldData());
+  vtkDataArray* component = particles->GetPointData()->GetArray("Component");
+  if (!component)
+  {
+    return;
+  }
+  double range[2];
+  component->GetRange(range);
+  if (range[0] < 0 || range[1] > 255)
+  {
+    throw std::runtime_error("point array Component has values beyond 0 to 255");
+  }
+  if (!particles->GetFieldData()->HasArray("ComponentName"))
+  {
+    table.components.resize(static_cast<std::size_t>(range[1]) + 1);
+  }
+}
+
+galaxy::ParticleTable viewTable(vtkPolyData* particles, PointArrays::Converted& converted)
+{
+  galaxy::ParticleTable table;
+  table.size = static_cast<std::size_t>(particles->GetNumberOfPoints());
+  if (table.size == 0)
+  {
+    return table;
+  }
+  std::string problem;
+  PointArrays arrays(particles, converted, problem);
+  table.position = arrays.as<vtkFloatArray>(particles->GetPoints()->GetData());
+  table.velocity = arrays.find<vtkFloatArray>("Velocity", 3, 3);
+  table.smoothingLength = arrays.find<vtkFloatArray>("SmoothingLength", 1, 1);
+  table.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);
+  table.color = arrays.find<vtkUnsignedCharArray>("Color", 3, 3);
+  table.component = arrays.find<vtkUnsignedCharArray>("Component", 1, 1);
+  table.emission = arrays.find<vtkFloatArray>("Emission", 1, 3);
+  table.absorption = arrays.find<vtkFloatArray>("Absorption", 1, 3);
+  if (!problem.empty())
+  {
+    throw std::runtime_error(problem);
+  }
+  table.emissionChannels = table.emission ? arrays.channels("Emission") : 3;
+  table.absorptionChannels = table.absorption ? arrays.channels("Absorption") : 3;
+  vtkDataArray* color = particles->GetPointData()->GetArray("Color");
+  if (color && (color->GetDataType() == VTK_FLOAT || color->GetDataType() == VTK_DOUBLE))
+  {
+    table.color = bytesOfColors(color, converted);
+  }
+  viewComponents(particles, table);
+  return table;
+}
+
+galaxy::ParticleFormat formatOf(int format, const std::string& file)
+{
+  switch (format)
+  {
+    case vtkParticleWriter::GADGET1:
+      return galaxy::ParticleFormat::Gadget1;
+    case vtkParticleWriter::GADGET2:
+      return galaxy::ParticleFormat::Gadget2;
+    case vtkParticleWriter::GADGET_HDF5:
+      return galaxy::ParticleFormat::GadgetHDF5;
+    case vtkParticleWriter::CSV:
+      return galaxy::ParticleFormat::CSV;
+    default:
+      return galaxy::formatOfFile(file);
+  }
+}
+}
+
+vtkParticleWriter::~vtkParticleWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkParticleWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+void vtkParticleWriter::WriteData()
+{
+  const bool written = galaxy::reportErrors(this, [this] {
+    vtkPolyData* particles = vtkPolyData::SafeDownCast(this->GetInput());
+    if (!this->FileName || !*this->FileName)
+    {
+      throw std::runtime_error("FileName is not set");
+    }
+    if (this->IsFirstProcess(particles))
+    {
+      this->Export(particles);
+    }
+  });
+  this->SetErrorCode(written ? vtkErrorCode::NoError : vtkErrorCode::CannotOpenFileError);
+}
+
+bool vtkParticleWriter::IsFirstProcess(vtkPolyData* particles)
+{
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (!processes || processes->GetNumberOfProcesses() == 1)
+  {
+    return true;
+  }
+  // A writer asks for the whole input, so that every process may well have all of it: then their
+  // particles agree in number and bounds.
+  double own[7], least[7], most[7];
+  own[0] = static_cast<double>(particles->GetNumberOfPoints());
+  particles->GetBounds(own + 1);
+  processes->Reduce(own, least, 7, vtkCommunicator::MIN_OP, 0);
+  processes->Reduce(own, most, 7, vtkCommunicator::MAX_OP, 0);
+  const bool first = processes->GetLocalProcessId() == 0;
+  if (first && !std::equal(least, least + 7, most))
+  {
+    vtkWarningMacro(<< this->FileName << " gets the " << particles->GetNumberOfPoints()
+                    << " particles of the first process only; other processes hold others");
+  }
+  return first;
+}
+
+void vtkParticleWriter::Export(vtkPolyData* particles)
+{
+  galaxy::ExportOptions options;
+  options.format = formatOf(this->Format, this->FileName);
+  options.progress = [this](double fraction) {
+    this->UpdateProgress(fraction);
+    return !this->GetAbortExecute();
+  };
+  PointArrays::Converted converted;
+  galaxy::exportParticles(viewTable(particles, converted), this->FileName, options);
+}
+
+void vtkParticleWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "") << "\n";
+  os << indent << "Format: " << this->Format << "\n";
+}

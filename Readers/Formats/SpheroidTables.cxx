@@ -1,0 +1,107 @@
+#include "Readers/Formats/SpheroidTables.h"
+
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/NumberTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace galaxy
+{
+namespace
+{
+/// Seen from Earth at (0, 0, D), the direction through (x, y) of the plane Z = 0.
+Vec3 skyPlace(const NumberTable& table, std::size_t row, const SkyFrame& sky, double distance)
+{
+  const SkyPosition position = { table.number(row, "ra", Range::any()),
+    table.number(row, "dec", Range::from(-90, 90)) };
+  Vec3 p;
+  if (!sky.skyToPlane(position, p.x, p.y))
+  {
+    table.fail(row, "ra, dec lie 90 degrees or more from the galaxy");
+  }
+  if (!table.has("distance"))
+  {
+    return p;
+  }
+  const Vec3 earth = { 0, 0, 1000 * distance };
+  return earth + 1000 * table.number(row, "distance", Range::positive()) * normalized(p - earth);
+}
+
+/// The angle's equal, modulo `period`, that is nearest to `before`.
+double unwrapped(double angle, double before, double period)
+{
+  return before + std::remainder(angle - before, period);
+}
+} // namespace
+
+std::vector<StarCluster> readClusterList(
+  const std::string& file, const SkyPosition& centre, double distance)
+{
+  const NumberTable table(file);
+  const SkyFrame sky(centre, distance);
+  const bool cartesian = table.has("x") || table.has("y") || table.has("z");
+  std::vector<StarCluster> clusters(table.size());
+  double light = 0;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const auto coordinate = [&](const char* axis) { return table.number(row, axis, Range::any()); };
+    clusters[row].position = cartesian ? Vec3{ coordinate("x"), coordinate("y"), coordinate("z") }
+                                       : skyPlace(table, row, sky, distance);
+    clusters[row].luminosity = table.number(row, "luminosity", Range::notNegative(), 1);
+    clusters[row].radius = table.number(row, "radius", Range::positive(), 0);
+    light += clusters[row].luminosity;
+  }
+  if (!(light > 0 && std::isfinite(light)))
+  {
+    throw Error(file, "luminosity", "the sum must be greater than 0, and finite");
+  }
+  return clusters;
+}
+
+std::vector<EllipsoidShell> readEllipsoidShells(const std::string& file)
+{
+  constexpr Range ratio = { 0, 1, true };
+  const NumberTable table(file);
+  std::vector<EllipsoidShell> shells(table.size());
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    EllipsoidShell& shell = shells[row];
+    shell.semiMajor = table.number(row, "semi_major", Range::notNegative());
+    shell.axisRatios = { table.number(row, "axis_ratio_b", ratio),
+      table.number(row, "axis_ratio_c", ratio) };
+    shell.positionAngle = table.number(row, "position_angle", Range::any());
+    shell.inclination = table.number(row, "inclination", Range::from(-180, 180), 0);
+    if (row > 0 && !(shell.semiMajor > shells[row - 1].semiMajor))
+    {
+      table.fail(row, "semi_major must be greater than in the row before");
+    }
+  }
+  const bool inclined = std::any_of(shells.begin(), shells.end(),
+    [](const EllipsoidShell& shell) { return shell.inclination != 0; });
+  for (std::size_t k = 1; k < shells.size(); ++k)
+  {
+    shells[k].positionAngle =
+      unwrapped(shells[k].positionAngle, shells[k - 1].positionAngle, inclined ? 360 : 180);
+    shells[k].inclination = unwrapped(shells[k].inclination, shells[k - 1].inclination, 360);
+  }
+  return shells;
+}
+
+void readSpheroidTables(GalaxyDescription& galaxy)
+{
+  for (ComponentDescription& component : galaxy.components)
+  {
+    SpheroidDescription& spheroid = component.spheroid;
+    if (!spheroid.clusterList.empty())
+    {
+      spheroid.listed = readClusterList(
+        besideFile(galaxy.file, spheroid.clusterList), galaxy.centre, galaxy.distance);
+    }
+    if (!spheroid.shells.empty())
+    {
+      spheroid.ellipsoids = readEllipsoidShells(besideFile(galaxy.file, spheroid.shells));
+    }
+  }
+}
+} // namespace galaxy

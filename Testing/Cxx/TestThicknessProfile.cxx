@@ -1,0 +1,222 @@
+#include "Filters/Model/ThicknessProfile.h"
+#include "Filters/Model/VerticalLaw.h"
+#include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ThicknessFixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace galaxy
+{
+namespace
+{
+/// A file of the given text in a folder of this test's own.
+std::string written(const std::string& name, const std::string& text)
+{
+  const std::filesystem::path folder =
+    std::filesystem::path(testing::TempDir()) / "thickness_profile";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / name) << text;
+  return (folder / name).string();
+}
+
+/// The thickness of a component whose .galaxy file stands in that folder.
+ThicknessDescription thicknessOf(const std::string& keys)
+{
+  const std::string file = written("g.galaxy", "");
+  return parseGalaxyDescription("[galaxy]\nra = 1\ndec = 2\ndistance = 3\n[[component]]\n"
+                                "name = \"gas\"\nprofile = \"Exponential\"\n"
+                                "[component.thickness]\n" +
+      keys,
+    file)
+    .components[0]
+    .thickness;
+}
+
+std::string messageOf(const std::function<void()>& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+} // namespace
+
+TEST(ThicknessProfile, TaperedDiscTapers)
+{
+  const TiltedDisk disk(flatDisk(20), m83Distance);
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Tapered;
+  thickness.children = 20;
+  thickness.scaleLength = 4;
+  thickness.scaleHeight = 0.3;
+  EXPECT_NEAR(ThicknessProfile(thickness, disk).meanChildren(8, 0.1), 20 * std::exp(-2), 1e-12);
+  EXPECT_EQ(ThicknessProfile(thickness, disk).scaleHeight(8), 0.3);
+  thickness.taperThickness = true;
+  EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(8), 0.3 * std::exp(-2), 1e-12);
+}
+
+TEST(ThicknessProfile, LiteralReadingFallsWithTheScaleHeight)
+{
+  const TiltedDisk disk(flatDisk(20), m83Distance);
+  ThicknessDescription thickness =
+    thicknessOf("model = \"Tapered\"\nreading = \"Literal\"\nlaw = \"Box\"\nchildren = 20\n"
+                "scale_length = 4\nscale_height = 0.5\nsigma = 0.2");
+  const ThicknessProfile profile(thickness, disk);
+  EXPECT_NEAR(profile.meanChildren(1.5, 0.1), 20 * std::exp(-3), 1e-12);
+  EXPECT_EQ(profile.scaleHeight(1.5), 0.2);
+  EXPECT_EQ(profile.law(), LayerLaw::Gaussian);
+  EXPECT_EQ(profile.inPlaneSigma(), 0.2);
+}
+
+TEST(ThicknessProfile, FlaredWidthIsCappedWhereNothingRotates)
+{
+  RingTable table;
+  table.rings = { ring(100, 0, 1, 30, 0) };
+  const TiltedDisk disk(table, m83Distance);
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Flared;
+  thickness.fwhmCentre = 0;
+  for (const double r : { 0.0, 3.0, 500.0 })
+  {
+    EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(r) * 2.3548, 4, 1e-4);
+  }
+}
+
+TEST(ThicknessProfile, HydrostaticLimits)
+{
+  const TiltedDisk disk(flatDisk(60), m83Distance); // 200 km/s
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Hydrostatic;
+  thickness.gasDispersion = 10;
+  thickness.stellarSurfaceDensity = 0;
+  thickness.gasSurfaceDensity = 0;
+  // Halo alone: sigma_z = sigma_g R / v.
+  EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(20), 1.0, 1e-4);
+  // Own gravity alone: sigma_z = sigma_g^2 sqrt(2 pi)/(4 pi G Sigma).
+  thickness.gasSurfaceDensity = 1e4;
+  EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(50) * 1000,
+    100 * std::sqrt(2 * pi) / (4 * pi * 4.30091e-3 * 1e4), 1e-3);
+  // Stars alone: FWHM = 1.665 sigma_g sqrt(z0 / (pi G Sigma)).
+  thickness.gasSurfaceDensity = 0;
+  thickness.stellarSurfaceDensity = 1e6;
+  thickness.scaleLength = 1e9;
+  EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(50) * 2.3548,
+    1.665 * 10 * std::sqrt(0.34 / 1000 / (pi * 4.30091e-3 * 1e6)), 1e-5);
+  // The values of 10 km/s in a halo of 189 km/s at 5, 10, 20, 50 kpc: 0.62, 1.25, 2.49, 6.2 kpc.
+  RingTable table;
+  table.rings = { ring(0, 189, 1, 0, 0), ring(3000, 189, 1, 0, 0) };
+  const TiltedDisk flat(table, m83Distance);
+  thickness.stellarSurfaceDensity = 0;
+  const ThicknessProfile halo(thickness, flat);
+  EXPECT_NEAR(halo.scaleHeight(5) * 2.3548, 0.62, 0.006);
+  EXPECT_NEAR(halo.scaleHeight(10) * 2.3548, 1.25, 0.006);
+  EXPECT_NEAR(halo.scaleHeight(20) * 2.3548, 2.49, 0.006);
+  EXPECT_NEAR(halo.scaleHeight(50) * 2.3548, 6.23, 0.01);
+}
+
+TEST(ThicknessProfile, RingsBringTheirOwnHeightAndLaw)
+{
+  RingTable table = flatDisk(10);
+  table.rings = { ring(0, 200, 10, 0, 0), ring(600, 200, 30, 0, 0) };
+  table.layerLaw = LayerLaw::Exponential;
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Rings;
+  const TiltedDisk disk(table, m83Distance);
+  const ThicknessProfile profile(thickness, disk);
+  EXPECT_EQ(profile.law(), LayerLaw::Exponential);
+  EXPECT_NEAR(profile.scaleHeight(300 * m83Kpc), 20 * m83Kpc, 1e-12);
+}
+
+TEST(ThicknessProfile, MeasuredWidthsReplaceTheFormula)
+{
+  written("widths.csv", "# M83's gas\nradius, fwhm\n2, 0.5 # inner\n\n6,0.9\n10, 0.7\n");
+  const ThicknessDescription thickness =
+    thicknessOf("model = \"Flared\"\nprofile_table = \"widths.csv\"\nfwhm_maximum = 0.1");
+  const TiltedDisk disk(m83Rings(), m83Distance);
+  const ThicknessProfile profile(thickness, disk);
+  const double widths[][2] = { { 0, 0.5 }, { 2, 0.5 }, { 3, 0.6 }, { 6, 0.9 }, { 8, 0.8 },
+    { 10, 0.7 }, { 99, 0.7 } };
+  for (const auto& [r, fwhm] : widths)
+  {
+    EXPECT_NEAR(profile.scaleHeight(r) * fwhmHeight(LayerLaw::Gaussian), fwhm, 1e-12) << r;
+  }
+  written("one.txt", "5 0.4");
+  EXPECT_EQ(thicknessOf("profile_table = \"one.txt\"").profileTable.size(), 1u);
+}
+
+TEST(ThicknessProfile, UnusableWidthsAreRefusedWithTheirLine)
+{
+  const char* const cases[][3] = { { "a.txt", "r w\n1 2\n3\n", "line 3" },
+    { "b.txt", "1 2\n3 x\n", "line 2" }, { "c.txt", "# c\n1 2\n1 3\n", "line 3" },
+    { "d.txt", "1 -2\n", "line 1" }, { "e.txt", "1 2\n3 nan\n", "line 2" },
+    { "f.txt", "1 2 3\n", "line 1" }, { "g.txt", "radius fwhm\n", "no row" },
+    { "h.txt", "r w\nr w\n1 2\n", "line 2" } };
+  for (const auto& [name, text, cause] : cases)
+  {
+    written(name, text);
+    const std::string message =
+      messageOf([name = name] { thicknessOf("profile_table = \"" + std::string(name) + "\""); });
+    EXPECT_NE(message.find(name), std::string::npos) << message;
+    EXPECT_NE(message.find(cause), std::string::npos) << message;
+  }
+  const std::string message = messageOf([] { thicknessOf("profile_table = \"none.txt\""); });
+  EXPECT_NE(message.find("none.txt"), std::string::npos) << message;
+}
+
+TEST(ThicknessProfile, WhatIsOutOfRangeIsRefusedByName)
+{
+  using T = ThicknessDescription;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const struct
+  {
+    const char* name;
+    double T::*member;
+    double wrong;
+  } cases[] = { { "children", &T::children, -1 }, { "children", &T::children, HUGE_VAL },
+    { "sigma", &T::sigma, -1 }, { "compression", &T::compression, 1.1 },
+    { "compression", &T::compression, -0.1 }, { "scale_length", &T::scaleLength, 0 },
+    { "scale_height", &T::scaleHeight, 0 }, { "fwhm_centre", &T::fwhmCentre, -1 },
+    { "fwhm_edge", &T::fwhmEdge, 0 }, { "edge_radius", &T::edgeRadius, 0 },
+    { "flare_length", &T::flareLength, 0 }, { "fwhm_maximum", &T::fwhmMaximum, 0 },
+    { "reference_velocity", &T::referenceVelocity, 0 },
+    { "velocity_exponent", &T::velocityExponent, nan }, { "gas_dispersion", &T::gasDispersion, 0 },
+    { "stellar_surface_density", &T::stellarSurfaceDensity, -1 },
+    { "gas_surface_density", &T::gasSurfaceDensity, nan } };
+  requireInRange(T(), "m.galaxy", "gas");
+  for (const auto& [name, member, wrong] : cases)
+  {
+    for (const double value : { wrong, nan })
+    {
+      T thickness;
+      thickness.*member = value;
+      const std::string message = messageOf([&] { requireInRange(thickness, "m.galaxy", "gas"); });
+      EXPECT_NE(message.find(name), std::string::npos) << message;
+      EXPECT_NE(message.find("gas"), std::string::npos) << message;
+    }
+  }
+  const struct
+  {
+    const char* name;
+    std::function<void(T&)> spoil;
+  } choices[] = { { "maximum_children", [](T& t) { t.maximumChildren = 0; } },
+    { "model", [](T& t) { t.model = static_cast<ThicknessModel>(5); } },
+    { "law", [](T& t) { t.law = LayerLaw::FromFile; } },
+    { "reading", [](T& t) { t.reading = static_cast<TaperReading>(2); } },
+    { "child_light", [](T& t) { t.childLight = static_cast<ChildLight>(-1); } } };
+  for (const auto& [name, spoil] : choices)
+  {
+    T thickness;
+    spoil(thickness);
+    const std::string message = messageOf([&] { requireInRange(thickness, "m.galaxy", "gas"); });
+    EXPECT_NE(message.find(name), std::string::npos) << message;
+  }
+}
+} // namespace galaxy
