@@ -80,11 +80,11 @@ bool DiskInverse::covers(double x, double y) const
   {
     return this->rows.front().f(x, y) <= 0 && this->rows.back().f(x, y) >= 0;
   }
-  std::array<double, mostSheets> roots;
+  Roots roots;
   return this->search(x, y, roots) > 0;
 }
 
-int DiskInverse::search(double x, double y, std::array<double, mostSheets>& roots) const
+int DiskInverse::search(double x, double y, Roots& roots) const
 {
   if (this->simple)
   {
@@ -142,7 +142,7 @@ double DiskInverse::guess(const Row& low, const Row& high, double x, double y)
 
 // False position with the Illinois rule, never out of the bracket, from a guess so good that one
 // step mostly does: its error is then that of the slope.
-double DiskInverse::refine(const Row& low, const Row& high, double x, double y) const
+DiskInverse::Root DiskInverse::refine(const Row& low, const Row& high, double x, double y) const
 {
   double left = low.r * low.r, right = high.r * high.r;
   double fLeft = low.f(x, y), fRight = high.f(x, y);
@@ -152,10 +152,13 @@ double DiskInverse::refine(const Row& low, const Row& high, double x, double y) 
   for (int step = 0; step < 60 && fLeft != fRight; ++step)
   {
     const double r = std::sqrt(square);
-    const double f = rowOf(this->disk.frame(r), r).f(x, y);
+    const RingFrame ring = this->disk.frame(r);
+    const double f = rowOf(ring, r).f(x, y);
     if (std::abs(f) <= 1e-5 * rise)
     {
-      return std::sqrt(std::clamp(square - f * (right - left) / (fRight - fLeft), left, right));
+      // So small a step does not turn the ring by as much as single precision shows.
+      const double stepped = square - f * (right - left) / (fRight - fLeft);
+      return { std::sqrt(std::clamp(stepped, left, right)), ring };
     }
     const bool isRight = (f < 0) == (fRight < 0);
     (isRight ? right : left) = square;
@@ -165,12 +168,13 @@ double DiskInverse::refine(const Row& low, const Row& high, double x, double y) 
     side = isRight ? 1 : -1;
     square = std::clamp((left * fRight - right * fLeft) / (fRight - fLeft), left, right);
   }
-  return std::sqrt(square);
+  const double r = std::sqrt(square);
+  return { r, this->disk.frame(r) };
 }
 
-DiskSheet DiskInverse::sheetAt(double r, double x, double y) const
+DiskSheet DiskInverse::sheetAt(const Root& root, double x, double y)
 {
-  const RingFrame ring = this->disk.frame(r);
+  const auto& [r, ring] = root;
   const double u = x * ring.a.x + y * ring.a.y;
   const double w = y * ring.a.x - x * ring.a.y;
   // b is turned by 90 degrees from a on the sky and shortened by n_z.
@@ -193,12 +197,12 @@ DiskSheet DiskInverse::sheetAt(double r, double x, double y) const
 
 int DiskInverse::find(double x, double y, Sheets& sheets) const
 {
-  std::array<double, mostSheets> roots;
+  Roots roots;
   const int found = this->search(x, y, roots);
   double sum = 0;
   for (int k = 0; k < found; ++k)
   {
-    sheets[k] = this->sheetAt(roots[k], x, y);
+    sheets[k] = sheetAt(roots[k], x, y);
     sum += sheets[k].share;
   }
   for (int k = 0; k < found; ++k)

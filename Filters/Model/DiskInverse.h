@@ -22,9 +22,9 @@ struct DiskSheet
 /// The function whose roots they are, f(r) = (r^2 - u^2) cos^2 i - w^2 (see skyToDisk), needs only
 /// three numbers a ring, which are tabulated. Where the Jacobian of the surface on the sky has one
 /// sign throughout, the root is single and a binary search finds its place in the table; elsewhere
-/// the whole table is looked through. Radii are right to 1e-8 of themselves; two roots on either
-/// side of a caustic that lie closer than a step of the table, 1/192 of a range between two rings,
-/// can go unseen together.
+/// the whole table is looked through. Radii are right to 1e-8 of themselves, azimuths to 1e-6; two
+/// roots on either side of a caustic that lie closer than a step of the table, 1/192 of a range
+/// between two rings, can go unseen together.
 class DiskInverse
 {
 public:
@@ -57,13 +57,21 @@ private:
     }
   };
 
+  /// A root of f, and the ring there.
+  struct Root
+  {
+    double r;
+    RingFrame ring;
+  };
+  using Roots = std::array<Root, mostSheets>;
+
   void tabulate(double start, double end);
   bool jacobianKeepsItsSign() const;
   static Row rowOf(const RingFrame& ring, double r);
-  int search(double x, double y, std::array<double, mostSheets>& roots) const;
+  int search(double x, double y, Roots& roots) const;
   static double guess(const Row& low, const Row& high, double x, double y);
-  double refine(const Row& low, const Row& high, double x, double y) const;
-  DiskSheet sheetAt(double r, double x, double y) const;
+  Root refine(const Row& low, const Row& high, double x, double y) const;
+  static DiskSheet sheetAt(const Root& root, double x, double y);
 
   const TiltedDisk& disk;
   std::vector<Row> rows;

@@ -1,5 +1,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 
+#include "Filters/Model/AutomaticCount.h"
+#include "Filters/Model/BlockSum.h"
 #include "Filters/Model/DustFilaments.h"
 #include "Filters/Model/ImageStore.h"
 #include "Filters/Model/ParticleWriter.h"
@@ -55,30 +57,6 @@ double largestRadius(const GalaxyDescription& galaxy, const TiltedDisk& disk)
     largest = std::max(largest, outerRadiusOf(component, disk));
   }
   return largest;
-}
-
-/// Sums in blocks, so that they are the same for any number of threads.
-double sumOf(const Buffer<float>& values, std::size_t first, std::size_t last)
-{
-  constexpr std::size_t block = 65536;
-  std::vector<double> sums((last - first + block - 1) / block);
-#pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < sums.size(); ++k)
-  {
-    const std::size_t start = first + k * block, end = std::min(last, start + block);
-    double sum = 0;
-    for (std::size_t i = start; i < end; ++i)
-    {
-      sum += values[i];
-    }
-    sums[k] = sum;
-  }
-  double sum = 0;
-  for (const double part : sums)
-  {
-    sum += part;
-  }
-  return sum;
 }
 
 /// Builds components of one galaxy.
@@ -212,7 +190,6 @@ private:
     this->store.prepare(component);
     seconds.images += this->proceed();
     std::optional<LightMap> map = this->store.lightOf(component, this->outerRadius(component));
-    this->report.components[index].flux = map->totalFlux() * lightFactor(component);
     seconds.light += this->proceed();
     for (std::size_t k = 0; k < this->galaxy.components.size(); ++k)
     {
@@ -227,34 +204,22 @@ private:
         }
       }
     }
+    this->report.components[index].flux = map->totalFlux() * lightFactor(component);
     return map;
-  }
-
-  /// Seeds for an automatic count: light in effective beams, (sum F)^2 / sum F^2 of them, each with
-  /// noise^-2.
-  double automaticCount(const ComponentDescription& component, const LightMap& map) const
-  {
-    double sum = 0, squares = 0;
-    for (std::uint32_t pixel = 0; pixel < map.size(); ++pixel)
-    {
-      sum += map.flux(pixel);
-      squares += double(map.flux(pixel)) * map.flux(pixel);
-    }
-    constexpr double gaussianArea = 1.1330900354567985; // pi / (4 ln 2)
-    const double beam =
-      std::max({ this->store.beamOf(component), map.pixelSide(), this->options.viewPixel });
-    const double effectiveArea =
-      squares > 0 ? sum * sum / squares * map.pixelSide() * map.pixelSide() : 0;
-    return effectiveArea / (gaussianArea * beam * beam) / (component.noise * component.noise);
   }
 
   Seeds sample(std::size_t index, std::optional<LightMap>& map)
   {
     const ComponentDescription& component = this->galaxy.components[index];
     ComponentReport& done = this->report.components[index];
-    const std::size_t count = this->scaled(component,
-      component.automaticCount && map ? this->automaticCount(component, *map)
-                                      : static_cast<double>(component.particles));
+    double seedCount = static_cast<double>(component.particles);
+    if (component.automaticCount && map)
+    {
+      const double beam =
+        std::max({ this->store.beamOf(component), map->pixelSide(), this->options.viewPixel });
+      seedCount = automaticCount(*map, beam, component.noise);
+    }
+    const std::size_t count = this->scaled(component, seedCount);
     if (map && component.normalizeAt != NormalizeAt::None)
     {
       const DiskInverse inverse = this->inverseOf(component);
@@ -288,7 +253,7 @@ private:
     }
     done.seconds.photometry += this->proceed();
     this->smooth(index, first);
-    done.light = sumOf(this->particles.intensity, first, this->particles.size());
+    done.light = blockSum(this->particles.intensity, first, this->particles.size());
     done.seconds.smoothing += this->proceed();
   }
 
@@ -315,7 +280,7 @@ private:
     const ComponentDescription& component = this->galaxy.components[index];
     const std::size_t placed = this->particles.size();
     const double typical =
-      sumOf(this->particles.intensity, first, placed) / static_cast<double>(placed - first);
+      blockSum(this->particles.intensity, first, placed) / static_cast<double>(placed - first);
     Photometry photometry(map, typical);
     photometry.weigh(this->particles, first, placed);
     const DiskInverse inverse = this->inverseOf(component);
@@ -363,7 +328,7 @@ private:
     }
     done.seconds.photometry += this->proceed();
     this->smooth(index, first);
-    done.light = sumOf(this->particles.intensity, first, this->particles.size());
+    done.light = blockSum(this->particles.intensity, first, this->particles.size());
     done.seconds.smoothing += this->proceed();
   }
 
@@ -375,7 +340,7 @@ private:
     setSmoothingLengths(this->particles, first, last, component.smoothing);
     done.particles = last - first;
     done.smoothingLength = done.particles > 0
-      ? sumOf(this->particles.smoothingLength, first, last) / static_cast<double>(done.particles)
+      ? blockSum(this->particles.smoothingLength, first, last) / static_cast<double>(done.particles)
       : 0;
   }
 

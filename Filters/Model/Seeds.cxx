@@ -1,5 +1,6 @@
 #include "Filters/Model/Seeds.h"
 
+#include "Filters/Model/BlockSum.h"
 #include "Filters/Model/PixelDraws.h"
 #include "Filters/Model/SineCosine.h"
 #include "Filters/Model/SurfaceDraws.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace galaxy
 {
@@ -285,7 +285,7 @@ void sampleExponential(
   }
   const double total = 2 * pi * h * h * brightest *
     (enclosedLight(seeds.outerRadius / h) - enclosedLight(seeds.innerRadius / h));
-  const double weights = std::accumulate(seeds.light.begin(), seeds.light.end(), 0.0);
+  const double weights = blockSum(seeds.light, 0, seeds.size());
   const double factor = component.normalizeAt == NormalizeAt::None && !byLight
     ? surface.area() / static_cast<double>(seeds.drawn)
     : total / weights;

@@ -160,7 +160,7 @@ const Keys<SpheroidDescription>& spheroidKeys()
       "from central_brightness"),
     textKey<S>("light_from", &S::lightFrom, "Disk component from whose pixels the light is taken."),
     numberKey<S>("light_fraction", &S::lightFraction, Range::from(0, 1), "",
-      "Of the light of light_from, how much is the spheroid's."),
+      "How much of the light of light_from is the spheroid's, as far as its pixels have it."),
     integerKey<S>("clusters", &S::clusters, 0, mostClusters,
       "Star clusters that stand as the profile says and share the particles; 0: a smooth body."),
     textKey<S>("cluster_list", &S::clusterList,
