@@ -74,7 +74,7 @@ std::string darkOnes(const galaxy::BuildReport& report)
   std::string names;
   for (const galaxy::ComponentReport& component : report.components)
   {
-    if (component.seedsDrawn > 0 && component.seedsKept == 0)
+    if (component.seedsDrawn > 0 && component.particles == 0)
     {
       names += (names.empty() ? "" : ", ") + component.name;
     }

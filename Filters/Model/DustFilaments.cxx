@@ -99,7 +99,8 @@ private:
   void stepAround(double rotation)
   {
     const double arc = (rotation + this->along) * this->way;
-    const auto [s, c] = sineCosine(this->r > 0 ? arc / this->r : 0);
+    // Next to the centre a step goes round and round: where it ends is random in any case.
+    const auto [s, c] = sineCosine(this->r > 0 ? std::clamp(arc / this->r, -1e4, 1e4) : 0);
     const auto [sine, cosine] = this->direction;
     this->r += this->outward * this->way;
     // Through the centre a radius comes out on the other side, where inward is outward.

@@ -247,7 +247,7 @@ private:
     Seeds seeds = this->sample(index, map);
     this->placeDisk(index, seeds);
     done.seconds.thickness += this->proceed();
-    if (map && component.normalizeAt == NormalizeAt::Child && seeds.size() > 0)
+    if (map && component.normalizeAt == NormalizeAt::Child && seeds.drawn > 0)
     {
       this->normalize(index, *map, first);
     }
@@ -279,8 +279,9 @@ private:
   {
     const ComponentDescription& component = this->galaxy.components[index];
     const std::size_t placed = this->particles.size();
-    const double typical =
-      blockSum(this->particles.intensity, first, placed) / static_cast<double>(placed - first);
+    const double typical = placed > first
+      ? blockSum(this->particles.intensity, first, placed) / static_cast<double>(placed - first)
+      : 1;
     Photometry photometry(map, typical);
     photometry.weigh(this->particles, first, placed);
     const DiskInverse inverse = this->inverseOf(component);

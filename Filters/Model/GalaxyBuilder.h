@@ -47,10 +47,10 @@ struct ComponentReport
   std::size_t seedsDrawn = 0; ///< 0 for spheroids
   std::size_t seedsKept = 0;
   std::size_t particles = 0;
-  std::size_t filled = 0;     ///< of them, those added for pixels that no other fell on
-  int bins = 1;               ///< pixels of the images along a side of those that are kept exactly
-  double flux = 0;            ///< of its images less what spheroids take of it, kpc^2
-  double light = 0;           ///< that the particles carry; the rest lies off the disc
+  std::size_t filled = 0; ///< of them, those added for pixels that no other fell on
+  int bins = 1;           ///< pixels of the images along a side of those that are kept exactly
+  double flux = 0;  ///< of its images within its radius (a square), less what spheroids take, kpc^2
+  double light = 0; ///< that the particles carry; the rest lies off the disc
   double smoothingLength = 0; ///< kpc, mean
   StageSeconds seconds;
 };

@@ -127,16 +127,25 @@ void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius,
     return this->grid.skyToPixel(this->frame.planeToSky(x, y), pixel) ? pixel
                                                                       : PixelLattice::nowhere();
   });
-  this->toPlane = PixelLattice(
-    0.5, 0.5, this->columns + 0.5, this->rows + 0.5,
-    [&](double column, double row) {
-      SkyPosition sky;
-      double x, y;
-      return this->grid.pixelToSky({ column, row }, sky) && this->frame.skyToPlane(sky, x, y)
-        ? PixelPosition{ x, y }
-        : PixelLattice::nowhere();
-    },
-    0.001 * this->side);
+  const auto exactPoint = [this](double column, double row) {
+    SkyPosition sky;
+    double x, y;
+    return this->grid.pixelToSky({ column, row }, sky) && this->frame.skyToPlane(sky, x, y)
+      ? PixelPosition{ x, y }
+      : PixelLattice::nowhere();
+  };
+  const double right = this->columns + 0.5, top = this->rows + 0.5;
+  this->toPlane = PixelLattice(0.5, 0.5, right, top, exactPoint, 0.001 * this->side);
+  // Of the quadrangle of a pixel's corners, by its diagonals.
+  const auto exactArea = [&exactPoint](double column, double row) {
+    const PixelPosition a = exactPoint(column - 0.5, row - 0.5);
+    const PixelPosition b = exactPoint(column + 0.5, row - 0.5);
+    const PixelPosition c = exactPoint(column + 0.5, row + 0.5);
+    const PixelPosition d = exactPoint(column - 0.5, row + 0.5);
+    const double twice = (c.x - a.x) * (d.y - b.y) - (c.y - a.y) * (d.x - b.x);
+    return PixelPosition{ 0.5 * std::abs(twice), 0 };
+  };
+  this->areas = PixelLattice(0.5, 0.5, right, top, exactArea, 1e-6 * this->side * this->side);
 }
 
 Color LightMap::colorAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse,
@@ -186,7 +195,7 @@ void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& cha
     const ShownColor shown = shownColor(color);
     const double intensity = this->absorbs ? total : shown.intensity;
     const double flux =
-      intensity * this->toPlane.areaFactor(1 + pixel % this->columns, 1 + pixel / this->columns);
+      intensity * this->areas.at(1 + pixel % this->columns, 1 + pixel / this->columns).x;
     if (flux > 0 && std::isfinite(flux))
     {
       this->intensities[p] = static_cast<float>(intensity);

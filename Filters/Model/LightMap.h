@@ -97,6 +97,7 @@ private:
   SkyFrame frame{ { 0, 0 }, 1 };
   PixelLattice toPixel; ///< of the grid, from (X, Y)
   PixelLattice toPlane; ///< and back
+  PixelLattice areas;   ///< of the pixels, kpc^2 (x alone), from the grid
   int columns = 0;
   int rows = 0;
   int binning = 1;

@@ -33,18 +33,6 @@ public:
     return cell.low ? PixelPosition{ cell.blend(&PixelPosition::x), cell.blend(&PixelPosition::y) }
                     : nowhere();
   }
-  /// By how much areas grow on the way, |d(to)/d(from)|; NaN outside the box.
-  double areaFactor(double x, double y) const
-  {
-    const Cell cell = this->cellAt(x, y);
-    if (!cell.low)
-    {
-      return nowhere().x;
-    }
-    const double determinant = cell.alongX(&PixelPosition::x) * cell.alongY(&PixelPosition::y) -
-      cell.alongX(&PixelPosition::y) * cell.alongY(&PixelPosition::x);
-    return std::abs(determinant) / (this->cellWidth * this->cellHeight);
-  }
   /// Cells along a side; 0 for a lattice over nothing.
   int size() const { return this->cells; }
 
@@ -67,16 +55,6 @@ private:
     {
       return (1 - this->q) * ((1 - this->p) * this->low[0].*axis + this->p * this->low[1].*axis) +
         this->q * ((1 - this->p) * this->high[0].*axis + this->p * this->high[1].*axis);
-    }
-    double alongX(double PixelPosition::*axis) const
-    {
-      return (1 - this->q) * (this->low[1].*axis - this->low[0].*axis) +
-        this->q * (this->high[1].*axis - this->high[0].*axis);
-    }
-    double alongY(double PixelPosition::*axis) const
-    {
-      return (1 - this->p) * (this->high[0].*axis - this->low[0].*axis) +
-        this->p * (this->high[1].*axis - this->low[1].*axis);
     }
   };
 

@@ -207,6 +207,23 @@ TEST(EarthView, FewParticlesKeepTheLight)
   EXPECT_NEAR(part.components[0].light / whole.components[0].light, 1, 0.01);
 }
 
+TEST(EarthView, APixelThatEverySeedMissesGetsAParticle)
+{
+  ComponentDescription stars = component("stars", ThicknessModel::Tapered);
+  stars.sampling = SeedSampling::SurfaceUniform;
+  stars.particles = 50;
+  Galaxy input = galaxyOf({ stars });
+  std::fill(input.images[0].values.begin(), input.images[0].values.end(), 0);
+  input.images[0].values[120 * side + 90] = 0.5;
+  BuildReport report;
+  const Particles particles = buildGalaxy(input, {}, &report);
+  EXPECT_EQ(report.components[0].seedsKept, 0u);
+  ASSERT_EQ(particles.size(), 1u);
+  const double kpc = pixel * m83Kpc;
+  EXPECT_NEAR(particles.intensity[0] / (0.5 * kpc * kpc), 1, 1e-3);
+  EXPECT_EQ(earthView(particles, 0)[120 * side + 90], particles.intensity[0]);
+}
+
 TEST(EarthView, ABulgeTakesItsLightFromThePixels)
 {
   ComponentDescription bulge;
