@@ -81,10 +81,27 @@ bool DiskInverse::covers(double x, double y) const
     return this->rows.front().f(x, y) <= 0 && this->rows.back().f(x, y) >= 0;
   }
   Roots roots;
-  return this->search(x, y, roots) > 0;
+  std::size_t near = 0;
+  return this->search(x, y, roots, near) > 0;
 }
 
-int DiskInverse::search(double x, double y, Roots& roots) const
+// The first row, but for the very first, whose f is not below 0; looked for about `near` first.
+std::size_t DiskInverse::firstAbove(double x, double y, std::size_t near) const
+{
+  const std::size_t last = this->rows.size() - 1;
+  for (std::size_t k = std::max<std::size_t>(near, 2) - 1; k <= near + 1 && k <= last; ++k)
+  {
+    if (this->rows[k - 1].f(x, y) < 0 && this->rows[k].f(x, y) >= 0)
+    {
+      return k;
+    }
+  }
+  return std::partition_point(this->rows.begin() + 1, this->rows.end() - 1,
+           [x, y](const Row& row) { return row.f(x, y) < 0; }) -
+    this->rows.begin();
+}
+
+int DiskInverse::search(double x, double y, Roots& roots, std::size_t& near) const
 {
   if (this->simple)
   {
@@ -92,10 +109,8 @@ int DiskInverse::search(double x, double y, Roots& roots) const
     {
       return 0;
     }
-    // From the first row that is not below 0.
-    const auto above = std::partition_point(this->rows.begin() + 1, this->rows.end() - 1,
-      [x, y](const Row& row) { return row.f(x, y) < 0; });
-    roots[0] = this->refine(*(above - 1), *above, x, y);
+    near = this->firstAbove(x, y, near);
+    roots[0] = this->refine(this->rows[near - 1], this->rows[near], x, y);
     return 1;
   }
   int found = 0;
@@ -197,8 +212,14 @@ DiskSheet DiskInverse::sheetAt(const Root& root, double x, double y)
 
 int DiskInverse::find(double x, double y, Sheets& sheets) const
 {
+  std::size_t near = 0;
+  return this->find(x, y, sheets, near);
+}
+
+int DiskInverse::find(double x, double y, Sheets& sheets, std::size_t& near) const
+{
   Roots roots;
-  const int found = this->search(x, y, roots);
+  const int found = this->search(x, y, roots, near);
   double sum = 0;
   for (int k = 0; k < found; ++k)
   {

@@ -37,6 +37,8 @@ public:
   /// Writes the sheets seen at (x, y), kpc to the West and North, by increasing radius; their
   /// number.
   int find(double x, double y, Sheets& sheets) const;
+  /// The same where points come in order: `near` keeps the place in the table from one to the next.
+  int find(double x, double y, Sheets& sheets, std::size_t& near) const;
   /// Whether there is any.
   bool covers(double x, double y) const;
   /// Whether every point of the sky shows one sheet at most.
@@ -68,7 +70,8 @@ private:
   void tabulate(double start, double end);
   bool jacobianKeepsItsSign() const;
   static Row rowOf(const RingFrame& ring, double r);
-  int search(double x, double y, Roots& roots) const;
+  int search(double x, double y, Roots& roots, std::size_t& near) const;
+  std::size_t firstAbove(double x, double y, std::size_t near) const;
   static double guess(const Row& low, const Row& high, double x, double y);
   Root refine(const Row& low, const Row& high, double x, double y) const;
   static DiskSheet sheetAt(const Root& root, double x, double y);

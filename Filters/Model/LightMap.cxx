@@ -249,6 +249,7 @@ void LightMap::halve()
   const std::size_t pixels = static_cast<std::size_t>(this->columns) * this->rows;
   std::vector<float> fluxes(pixels), intensities(pixels);
   std::vector<std::uint8_t> colors(3 * pixels);
+#pragma omp parallel for schedule(static)
   for (std::size_t p = 0; p < pixels; ++p)
   {
     double flux = 0, intensity = 0;

@@ -89,16 +89,17 @@ public:
       {
         --k;
       }
+      std::size_t near = 0;
       for (std::size_t j = block * blockSize; j < last; ++k)
       {
-        j = this->samplePixel(k, j, last);
+        j = this->samplePixel(k, j, last, near);
       }
     }
   }
 
 private:
   /// Seeds j and on as far as they are pixel k's and below `last`; the first it leaves.
-  std::size_t samplePixel(std::size_t k, std::size_t j, std::size_t last)
+  std::size_t samplePixel(std::size_t k, std::size_t j, std::size_t last, std::size_t& near)
   {
     // The plane's golden ratio, the real root of x^3 = x + 1, and its square.
     constexpr double stepU = 0.7548776662466927, stepV = 0.5698402909980532;
@@ -117,7 +118,8 @@ private:
     {
       const double turn = static_cast<double>(j - first);
       const double across = u + stepU * turn, along = v + stepV * turn;
-      this->place(j, pixel, inset(across - std::floor(across)), inset(along - std::floor(along)));
+      this->place(
+        j, pixel, inset(across - std::floor(across)), inset(along - std::floor(along)), near);
       this->seeds.light[j] = light;
     }
     return j;
@@ -129,16 +131,16 @@ private:
     return 0.002 + 0.996 * u;
   }
 
-  void place(std::size_t j, std::uint32_t pixel, double u, double v)
+  void place(std::size_t j, std::uint32_t pixel, double u, double v, std::size_t& near)
   {
     DiskInverse::Sheets sheets;
     PixelPosition at = this->map.pointIn(pixel, u, v);
-    int found = this->inverse.find(at.x, at.y, sheets);
+    int found = this->inverse.find(at.x, at.y, sheets, near);
     if (found == 0)
     {
       // At the disc's edge: the middle of the pixel does show it.
       at = this->map.pointIn(pixel, 0.5, 0.5);
-      found = this->inverse.find(at.x, at.y, sheets);
+      found = this->inverse.find(at.x, at.y, sheets, near);
     }
     const DiskSheet& sheet = sheets[found > 1 ? this->choose(j, sheets, found) : 0];
     // In single precision, as it is kept.
