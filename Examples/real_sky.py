@@ -22,7 +22,7 @@ def described(name, data, output):
     return path
 
 
-def main(usage, name, half_width, azimuth, stretch):
+def main(usage, name, half_width, azimuth, stretch, exposure=1.0):
     if len(sys.argv) < 2:
         sys.exit(usage)
     data = sys.argv[1]
@@ -38,7 +38,7 @@ def main(usage, name, half_width, azimuth, stretch):
     images = []
     for view, camera in cameras:
         radiance = gp.timed(view, lambda: gp.render(model, camera))
-        image = gp.tone_map(radiance, gp.exposure_for(radiance), stretch)
+        image = gp.tone_map(radiance, exposure * gp.exposure_for(radiance), stretch)
         title = f"{name.upper()} {view}"
         images.append(gp.annotate(image, half_width, title, "real data"))
         path = os.path.join(output, f"real-{name}-{view.replace(' ', '-').lower()}.png")

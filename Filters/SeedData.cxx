@@ -127,13 +127,14 @@ SeedData toSeeds(vtkPolyData* input)
   return data;
 }
 
-void seedsToParticles(vtkPolyData* input, int randomSeed,
+void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
   const std::function<void(ComponentDescription&)>& change, vtkPolyData* output)
 {
   SeedData data = toSeeds(input);
   change(data.description());
   BuildOptions options;
   options.seed = static_cast<std::uint64_t>(randomSeed);
+  options.velocities = velocities;
   toPolyData(buildFromSeeds(data.galaxy, data.component, data.seeds, options), output);
 }
 }

@@ -29,8 +29,9 @@ void toPolyData(SeedData&& data, vtkPolyData* output);
 /// The inverse. Throws Error where an array is missing.
 SeedData toSeeds(vtkPolyData* input);
 
-/// The particles of the seeds in `input`, after `change` has adapted the component's description.
-void seedsToParticles(vtkPolyData* input, int randomSeed,
+/// The particles of the seeds in `input`, after `change` has adapted the component's description;
+/// with the array Velocity where asked.
+void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
   const std::function<void(ComponentDescription&)>& change, vtkPolyData* output);
 }
 

@@ -4,6 +4,7 @@
 #include "Filters/SeedData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkInformation.h"
@@ -47,7 +48,8 @@ int vtkDiskSeeds::RequestData(
     }
     galaxy::BuildOptions options;
     options.particleScale = this->ParticleScale;
-    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
+    options.seed = galaxy::seedOf(this->RandomSeed);
+    options.viewPixel = this->ViewPixel;
     data.seeds = galaxy::buildSeeds(data.galaxy, data.component, options);
     galaxy::toPolyData(std::move(data), vtkPolyData::GetData(outputVector, 0));
   });
@@ -60,4 +62,5 @@ void vtkDiskSeeds::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sampling: " << this->Sampling << "\n";
   os << indent << "ParticleScale: " << this->ParticleScale << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "ViewPixel: " << this->ViewPixel << "\n";
 }

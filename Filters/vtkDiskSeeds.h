@@ -40,14 +40,20 @@ public:
   vtkGetMacro(Sampling, int);
   ///@}
   ///@{
-  /// A factor on the number of seeds, which leaves their summed light. Default 1.
+  /// A factor on the number of seeds, at least 0, which leaves their summed light. Default 1.
   vtkSetMacro(ParticleScale, double);
   vtkGetMacro(ParticleScale, double);
   ///@}
   ///@{
-  /// Another seed gives other points. Default 1.
+  /// Another seed, at least 0, gives other points. Default 1.
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
+  ///@}
+  ///@{
+  /// Side of the pixels that the model will be seen with, kpc: a component of particles = "Auto"
+  /// gets no more seeds than those can show. 0 (default): as fine as its images.
+  vtkSetMacro(ViewPixel, double);
+  vtkGetMacro(ViewPixel, double);
   ///@}
 
 protected:
@@ -66,6 +72,7 @@ private:
   int Sampling = FROM_DESCRIPTION;
   double ParticleScale = 1;
   int RandomSeed = 1;
+  double ViewPixel = 0;
 };
 
 #endif

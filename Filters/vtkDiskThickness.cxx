@@ -27,6 +27,7 @@ galaxy::ThicknessDescription describe(vtkDiskThickness& filter)
   thickness.taperThickness = filter.GetTaperThickness();
   thickness.edgeRadius = filter.GetEdgeRadius();
   thickness.flareLength = filter.GetFlareLength();
+  thickness.velocityScaling = static_cast<galaxy::VelocityScaling>(filter.GetVelocityScaling());
   thickness.referenceVelocity = filter.GetReferenceVelocity();
   thickness.velocityExponent = filter.GetVelocityExponent();
   thickness.gasDispersion = filter.GetGasDispersion();
@@ -56,12 +57,14 @@ int vtkDiskThickness::RequestData(
     component.hasDust = false;
     if (this->Model != FROM_DESCRIPTION)
     {
+      const bool rotationKnown = component.thickness.rotationKnown;
       component.thickness = describe(*this);
+      component.thickness.rotationKnown = rotationKnown;
     }
   };
   return galaxy::reportErrors(this, [&] {
-    galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed, change,
-      vtkPolyData::GetData(outputVector, 0));
+    galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed,
+      this->Velocities, change, vtkPolyData::GetData(outputVector, 0));
   });
 }
 
@@ -84,6 +87,7 @@ void vtkDiskThickness::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EdgeRadius: " << this->EdgeRadius << "\n";
   os << indent << "FlareLength: " << this->FlareLength << "\n";
   os << indent << "FWHMMaximum: " << this->FWHMMaximum << "\n";
+  os << indent << "VelocityScaling: " << this->VelocityScaling << "\n";
   os << indent << "ReferenceVelocity: " << this->ReferenceVelocity << "\n";
   os << indent << "VelocityExponent: " << this->VelocityExponent << "\n";
   os << indent << "ProfileTable: " << (this->ProfileTable ? this->ProfileTable : "none") << "\n";
@@ -91,4 +95,5 @@ void vtkDiskThickness::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StellarSurfaceDensity: " << this->StellarSurfaceDensity << "\n";
   os << indent << "GasSurfaceDensity: " << this->GasSurfaceDensity << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "Velocities: " << this->Velocities << "\n";
 }

@@ -37,14 +37,14 @@ public:
   vtkGetMacro(Model, int);
   ///@}
   ///@{
-  /// Vertical law of all but Gaussian, TiRiFiC's LTYPE: 1 Gaussian (default), 2 sech^2, 3
-  /// exponential, 4 Lorentzian, 5 box.
+  /// Vertical law of Tapered, Flared and Hydrostatic, TiRiFiC's LTYPE: 1 Gaussian (default), 2
+  /// sech^2, 3 exponential, 4 Lorentzian, 5 box. RINGS has the ring table's.
   vtkSetMacro(Law, int);
   vtkGetMacro(Law, int);
   ///@}
   ///@{
-  /// Of the paper's formula (Tapered): 0 (default) the children fall as exp(-R/H_r) and are H_z
-  /// thick, 1 they fall as exp(-R/H_z) and spread by Sigma along every axis.
+  /// Of the paper's formula (Tapered): 0 (default) the children fall as exp(-R/H_r), 1 to the
+  /// letter as exp(-R/H_z); both are H_z thick.
   vtkSetMacro(Reading, int);
   vtkGetMacro(Reading, int);
   ///@}
@@ -115,7 +115,13 @@ public:
   vtkGetMacro(FWHMMaximum, double);
   ///@}
   ///@{
-  /// Rotation velocity at which the widths hold, km/s (Flared). Default 189.
+  /// The rotation velocity that the widths are inverse to (Flared): 0 (default) the disc's fastest,
+  /// 1 the fastest from each radius outward. A disc of unknown rotation is not scaled.
+  vtkSetMacro(VelocityScaling, int);
+  vtkGetMacro(VelocityScaling, int);
+  ///@}
+  ///@{
+  /// Rotation velocity of a galaxy that has these widths, km/s (Flared). Default 189.
   vtkSetMacro(ReferenceVelocity, double);
   vtkGetMacro(ReferenceVelocity, double);
   ///@}
@@ -150,6 +156,12 @@ public:
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
   ///@}
+  ///@{
+  /// Whether particles get a Velocity (km/s). Default false.
+  vtkSetMacro(Velocities, bool);
+  vtkGetMacro(Velocities, bool);
+  vtkBooleanMacro(Velocities, bool);
+  ///@}
 
 protected:
   vtkDiskThickness() = default;
@@ -178,6 +190,7 @@ private:
   double EdgeRadius = 10;
   double FlareLength = 17.4;
   double FWHMMaximum = 4;
+  int VelocityScaling = 0;
   double ReferenceVelocity = 189;
   double VelocityExponent = 1;
   char* ProfileTable = nullptr;
@@ -185,6 +198,7 @@ private:
   double StellarSurfaceDensity = 500;
   double GasSurfaceDensity = 10;
   int RandomSeed = 1;
+  bool Velocities = false;
 };
 
 #endif

@@ -38,8 +38,8 @@ int vtkDustFilaments::RequestData(
     component.dust = dust;
   };
   return galaxy::reportErrors(this, [&] {
-    galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed, change,
-      vtkPolyData::GetData(outputVector, 0));
+    galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed,
+      this->Velocities, change, vtkPolyData::GetData(outputVector, 0));
   });
 }
 
@@ -63,4 +63,5 @@ void vtkDustFilaments::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Children: " << this->Children << "\n";
   os << indent << "Spread: " << this->Spread << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "Velocities: " << this->Velocities << "\n";
 }

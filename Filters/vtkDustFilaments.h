@@ -119,6 +119,12 @@ public:
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
   ///@}
+  ///@{
+  /// Whether particles get a Velocity (km/s). Default false.
+  vtkSetMacro(Velocities, bool);
+  vtkGetMacro(Velocities, bool);
+  vtkBooleanMacro(Velocities, bool);
+  ///@}
 
 protected:
   vtkDustFilaments() = default;
@@ -148,6 +154,7 @@ private:
   int Children = 8;
   double Spread = 0.05;
   int RandomSeed = 1;
+  bool Velocities = false;
 };
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "Filters/Model/GroupBuilder.h"
 #include "Filters/ParticleData.h"
+#include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
@@ -18,12 +19,14 @@ int vtkGalaxyGroupReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   return galaxy::reportErrors(this, [&] {
+    galaxy::requirePositive(this->Magnification, "Magnification");
+    galaxy::requirePositive(this->Separation, "Separation");
     galaxy::GroupDescription group = galaxy::readGroupDescription(this->FileName);
     group.magnification *= this->Magnification;
     group.separation *= this->Separation;
     galaxy::BuildOptions options;
     options.particleScale = this->ParticleScale;
-    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
+    options.seed = galaxy::seedOf(this->RandomSeed);
     options.progress = [this](double fraction) {
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();

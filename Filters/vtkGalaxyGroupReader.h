@@ -28,22 +28,23 @@ public:
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
   ///@{
-  /// A factor on every galaxy's size, times the file's own. Default 1.
+  /// A factor on every galaxy's size, greater than 0, times the file's own. Default 1.
   vtkSetMacro(Magnification, double);
   vtkGetMacro(Magnification, double);
   ///@}
   ///@{
-  /// A factor on the distances from the first galaxy, times the file's own. Default 1.
+  /// A factor on the distances from the first galaxy, greater than 0, times the file's own.
+  /// Default 1.
   vtkSetMacro(Separation, double);
   vtkGetMacro(Separation, double);
   ///@}
   ///@{
-  /// A factor on the number of particles of every component. Default 1.
+  /// A factor on the number of particles of every component, at least 0. Default 1.
   vtkSetMacro(ParticleScale, double);
   vtkGetMacro(ParticleScale, double);
   ///@}
   ///@{
-  /// Another seed gives other particles. Default 1.
+  /// Another seed, at least 0, gives other particles. Default 1.
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
   ///@}

@@ -3,6 +3,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/ParticleData.h"
 #include "Readers/DataObjects.h"
+#include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkInformation.h"
@@ -34,6 +35,11 @@ std::string inWords(const galaxy::BuildReport& report)
       text << "; " << std::setprecision(1) << 100 * component.light / component.flux
            << " % of its images' light lies on the disc" << std::setprecision(2);
     }
+    if (component.dark.blank + component.dark.negative > 0)
+    {
+      text << "; of the pixels of its images " << component.dark.blank << " are blank and "
+           << component.dark.negative << " negative";
+    }
     if (component.bins > 1)
     {
       text << "; so few seeds that pixels were joined " << component.bins << " x "
@@ -56,8 +62,9 @@ std::string asJSON(const galaxy::BuildReport& report)
          << ", \"seeds_drawn\": " << component.seedsDrawn
          << ", \"seeds_kept\": " << component.seedsKept
          << ", \"particles\": " << component.particles << ", \"filled\": " << component.filled
-         << ", \"bins\": " << component.bins << ", \"flux\": " << component.flux
-         << ", \"light\": " << component.light
+         << ", \"blank_pixels\": " << component.dark.blank
+         << ", \"negative_pixels\": " << component.dark.negative << ", \"bins\": " << component.bins
+         << ", \"flux\": " << component.flux << ", \"light\": " << component.light
          << ", \"smoothing_length\": " << component.smoothingLength
          << ", \"seconds\": {\"images\": " << seconds.images << ", \"light\": " << seconds.light
          << ", \"seeds\": " << seconds.seeds << ", \"thickness\": " << seconds.thickness
@@ -68,13 +75,15 @@ std::string asJSON(const galaxy::BuildReport& report)
   return text.str();
 }
 
-/// The components whose every seed fell on darkness.
-std::string darkOnes(const galaxy::BuildReport& report)
+/// The components without particles that have light, or whose every seed fell on darkness.
+std::string darkOnes(const galaxy::BuildReport& report, bool haveSeeds)
 {
   std::string names;
   for (const galaxy::ComponentReport& component : report.components)
   {
-    if (component.seedsDrawn > 0 && component.particles == 0)
+    const bool isMissed =
+      haveSeeds ? component.seedsDrawn > 0 : component.seedsDrawn == 0 && component.flux > 0;
+    if (isMissed && component.particles == 0)
     {
       names += (names.empty() ? "" : ", ") + component.name;
     }
@@ -103,7 +112,7 @@ int vtkGalaxyModel::RequestData(
       galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));
     galaxy::BuildOptions options;
     options.particleScale = this->ParticleScale;
-    options.seed = static_cast<std::uint64_t>(this->RandomSeed);
+    options.seed = galaxy::seedOf(this->RandomSeed);
     options.velocities = this->Velocities;
     options.viewPixel = this->ViewPixel;
     options.progress = [this](double fraction) {
@@ -114,13 +123,20 @@ int vtkGalaxyModel::RequestData(
     galaxy::Particles particles = galaxy::buildGalaxy(input, options, &report);
     this->Report = inWords(report);
     this->ReportJSON = asJSON(report);
-    const std::string dark = darkOnes(report);
+    const std::string unasked = darkOnes(report, false);
+    if (!unasked.empty() && !report.aborted)
+    {
+      vtkWarningMacro(<< input.description.file << ": no particles for " << unasked
+                      << ": its images have light, but `particles` times ParticleScale is 0");
+    }
+    const std::string dark = darkOnes(report, true);
     if (!dark.empty() && !report.aborted)
     {
       vtkWarningMacro(
         << input.description.file << ": no particles for " << dark
         << ": none of its seeds lies on a lit pixel. Check the galaxy's ra, dec (degrees) "
-           "and distance, its images' coordinates and the layers' clip and threshold");
+           "and distance, its inclination (edge-on, a flat disc covers no pixel), its images' "
+           "coordinates and the layers' clip and threshold");
     }
     if (!report.aborted)
     {

@@ -23,12 +23,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// A factor on the number of particles of every component; the light stays. Default 1.
+  /// A factor on the number of particles of every component, at least 0; the light stays.
+  /// Default 1.
   vtkSetMacro(ParticleScale, double);
   vtkGetMacro(ParticleScale, double);
   ///@}
   ///@{
-  /// Another seed gives other particles of the same galaxy. Default 1.
+  /// Another seed, at least 0, gives other particles of the same galaxy. Default 1.
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
   ///@}

@@ -17,6 +17,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 vtkStandardNewMacro(vtkParticleWriter);
 
@@ -42,6 +44,29 @@ const unsigned char* bytesOfColors(vtkDataArray* colors, PointArrays::Converted&
   return bytes->GetPointer(0);
 }
 
+/// Throws where a value is no index that fits into a byte.
+std::size_t largestComponent(vtkDataArray* component)
+{
+  if (vtkUnsignedCharArray::SafeDownCast(component))
+  {
+    return static_cast<std::size_t>(component->GetRange()[1]); // every byte is one
+  }
+  double largest = 0;
+  for (vtkIdType i = 0; i < component->GetNumberOfTuples(); ++i)
+  {
+    const double value = component->GetComponent(i, 0);
+    if (!(value >= 0 && value <= 255 && value == std::floor(value)))
+    {
+      std::ostringstream text;
+      text << "point array Component has values beyond 0 to 255: " << value << " at point " << i
+           << " is no index of a component";
+      throw std::runtime_error(text.str());
+    }
+    largest = std::max(largest, value);
+  }
+  return static_cast<std::size_t>(largest);
+}
+
 /// The view's components: the polydata's table, or without one as many as the particles tell of.
 void viewComponents(vtkPolyData* particles, galaxy::ParticleTable& table)
 {
@@ -51,15 +76,10 @@ void viewComponents(vtkPolyData* particles, galaxy::ParticleTable& table)
   {
     return;
   }
-  double range[2];
-  component->GetRange(range);
-  if (range[0] < 0 || range[1] > 255)
-  {
-    throw std::runtime_error("point array Component has values beyond 0 to 255");
-  }
+  const std::size_t largest = largestComponent(component);
   if (!particles->GetFieldData()->HasArray("ComponentName"))
   {
-    table.components.resize(static_cast<std::size_t>(range[1]) + 1);
+    table.components.resize(largest + 1);
   }
 }
 
@@ -173,7 +193,10 @@ void vtkParticleWriter::Export(vtkPolyData* particles)
     return !this->GetAbortExecute();
   };
   PointArrays::Converted converted;
-  galaxy::exportParticles(viewTable(particles, converted), this->FileName, options);
+  if (!galaxy::exportParticles(viewTable(particles, converted), this->FileName, options))
+  {
+    throw galaxy::Error(this->FileName, "", "not written: the writer was stopped");
+  }
 }
 
 void vtkParticleWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,7 +4,8 @@
  *
  * A bulge, a globular cluster or a system of them, a halo, an elliptical or a round dwarf galaxy:
  * particles of equal light, distributed about the centre by one of the usual radial laws, the first
- * of them the paper's (Dykes et al., the galactic bulge).
+ * of them the paper's (Dykes et al., the galactic bulge). A property whose value is out of range is
+ * refused by its name, or that of its key in a .galaxy file; there are then no particles.
  */
 #ifndef vtkSpheroidSource_h
 #define vtkSpheroidSource_h
@@ -27,12 +28,68 @@ public:
     EXPONENTIAL, ///< exp(-s)
     PLUMMER,     ///< (1 + s^2)^(-5/2)
     NFW,         ///< 1/(s (1 + s)^2)
-    CORED,       ///< (1 + s^2)^(-1.95): the globular clusters of the Milky Way
+    CORED,       ///< (1 + s^2)^(-Slope/2); 3.9 is that of the Milky Way's globular clusters
+  };
+  enum Presets
+  {
+    NONE = 0,
+    BULGE,
+    STELLAR_HALO,
+    DARK_HALO,
+    ELLIPTICAL,
+    DWARF_SPHEROIDAL,
+    DWARF_ELLIPTICAL,
+    DWARF_IRREGULAR,
   };
   ///@{
+  /// A kind of spheroid, as in a .galaxy file: its radial law with all lengths and numbers, and its
+  /// axis ratios. With a preset the properties from Profile to AxisRatios are unused. A DARK_HALO
+  /// has no light unless Luminosity is given. Default NONE.
+  vtkSetMacro(Preset, int);
+  vtkGetMacro(Preset, int);
+  ///@}
+  ///@{
   /// The radial law of the density. Default Gaussian.
-  vtkSetClampMacro(Profile, int, GAUSSIAN, CORED);
+  vtkSetMacro(Profile, int);
   vtkGetMacro(Profile, int);
+  ///@}
+  ///@{
+  /// Standard deviations of the Gaussian along the three axes, kpc. Default 0.3, 0.3, 0.2.
+  vtkSetVector3Macro(Sigma, double);
+  vtkGetVector3Macro(Sigma, double);
+  ///@}
+  ///@{
+  /// Sersic: the projected radius of half of the light (kpc, default 0.5) and the index n, 0.5 to
+  /// 10 (default 2).
+  vtkSetMacro(EffectiveRadius, double);
+  vtkGetMacro(EffectiveRadius, double);
+  vtkSetMacro(SersicIndex, double);
+  vtkGetMacro(SersicIndex, double);
+  ///@}
+  ///@{
+  /// The scale of the other laws, kpc. Default 2.
+  vtkSetMacro(ScaleRadius, double);
+  vtkGetMacro(ScaleRadius, double);
+  ///@}
+  ///@{
+  /// Cored: the exponent of the density's fall outside the core, 3.1 to 20. Default 3.9.
+  vtkSetMacro(Slope, double);
+  vtkGetMacro(Slope, double);
+  ///@}
+  ///@{
+  /// NFW and Cored end at this many ScaleRadius where there is no Truncation. Default 10.
+  vtkSetMacro(Concentration, double);
+  vtkGetMacro(Concentration, double);
+  ///@}
+  ///@{
+  /// Where the spheroid ends along its first axis, kpc; 0 (default): nowhere.
+  vtkSetMacro(Truncation, double);
+  vtkGetMacro(Truncation, double);
+  ///@}
+  ///@{
+  /// The second and third axis relative to the first, above 0 to 1, all but Gaussian.
+  vtkSetVector2Macro(AxisRatios, double);
+  vtkGetVector2Macro(AxisRatios, double);
   ///@}
   ///@{
   /// How many particles share the light. Default 100000.
@@ -40,56 +97,53 @@ public:
   vtkGetMacro(NumberOfParticles, int);
   ///@}
   ///@{
-  /// Sersic: the projected radius of half of the light (kpc) and the index n.
-  vtkSetClampMacro(EffectiveRadius, double, 1e-6, 1e6);
-  vtkGetMacro(EffectiveRadius, double);
-  vtkSetClampMacro(SersicIndex, double, 0.5, 10);
-  vtkGetMacro(SersicIndex, double);
+  /// Whether the axes lie by the two angles below rather than along X, Y and Z. Default false.
+  vtkSetMacro(Oriented, bool);
+  vtkGetMacro(Oriented, bool);
+  vtkBooleanMacro(Oriented, bool);
   ///@}
   ///@{
-  /// The scale of the other laws, kpc. Default 2.
-  vtkSetClampMacro(ScaleRadius, double, 1e-6, 1e6);
-  vtkGetMacro(ScaleRadius, double);
+  /// Of Oriented, degrees: of the first axis, which lies in the sky, North (Y) through East (-X);
+  /// and of the plane of the first and the second, -180 to 180, 0 being the sky's. Default 0.
+  vtkSetMacro(PositionAngle, double);
+  vtkGetMacro(PositionAngle, double);
+  vtkSetMacro(Inclination, double);
+  vtkGetMacro(Inclination, double);
   ///@}
   ///@{
-  /// NFW and Cored end at this many ScaleRadius where there is no Truncation. Default 10.
-  vtkSetClampMacro(Concentration, double, 0.01, 1e6);
-  vtkGetMacro(Concentration, double);
-  ///@}
-  ///@{
-  /// Where the spheroid ends along X, kpc; 0 (default): nowhere.
-  vtkSetClampMacro(Truncation, double, 0, 1e6);
-  vtkGetMacro(Truncation, double);
-  ///@}
-  ///@{
-  /// The axes along Y and Z relative to that along X, all but Gaussian.
-  vtkSetVector2Macro(AxisRatios, double);
-  vtkGetVector2Macro(AxisRatios, double);
+  /// File of nested ellipsoids: semi_major, axis_ratio_b, axis_ratio_c, position_angle,
+  /// inclination, in place of AxisRatios and Oriented. Default none.
+  vtkSetFilePathMacro(Shells);
+  vtkGetFilePathMacro(Shells);
   ///@}
   ///@{
   /// Star clusters that stand by the radial law and share the particles, each a Plummer sphere of
-  /// ClusterRadius (kpc); 0 (default): a smooth body.
-  vtkSetClampMacro(Clusters, int, 0, 1 << 24);
+  /// ClusterRadius (kpc, default 0.005); 0 (default): a smooth body.
+  vtkSetMacro(Clusters, int);
   vtkGetMacro(Clusters, int);
-  vtkSetClampMacro(ClusterRadius, double, 0, 1e6);
+  vtkSetMacro(ClusterRadius, double);
   vtkGetMacro(ClusterRadius, double);
   ///@}
   ///@{
-  /// Standard deviations of the Gaussian along X, Y, Z and the centre, kpc.
-  vtkSetVector3Macro(Sigma, double);
-  vtkGetVector3Macro(Sigma, double);
+  /// File of star clusters, columns x, y, z (kpc about the centre), luminosity (relative) and
+  /// radius (kpc), in place of Clusters; it needs Luminosity. Default none.
+  vtkSetFilePathMacro(ClusterList);
+  vtkGetFilePathMacro(ClusterList);
+  ///@}
+  ///@{
+  /// The centre, kpc.
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
   ///@{
-  /// Radiance in the middle, seen along Z; where that is infinite, at EffectiveRadius (Sersic) or
-  /// at the radius of half of the mass (Hernquist, NFW). Default 1.
+  /// Radiance in the middle, seen along the third axis; where that is infinite, at EffectiveRadius
+  /// (Sersic) or at the radius of half of the mass (Hernquist, NFW). Default 1.
   vtkSetMacro(CentralBrightness, double);
   vtkGetMacro(CentralBrightness, double);
   ///@}
   ///@{
   /// The whole light, radiance times kpc^2; 0 (default): from CentralBrightness.
-  vtkSetClampMacro(Luminosity, double, 0, VTK_DOUBLE_MAX);
+  vtkSetMacro(Luminosity, double);
   vtkGetMacro(Luminosity, double);
   ///@}
   ///@{
@@ -110,7 +164,7 @@ public:
 
 protected:
   vtkSpheroidSource();
-  ~vtkSpheroidSource() override = default;
+  ~vtkSpheroidSource() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -119,17 +173,24 @@ private:
   vtkSpheroidSource(const vtkSpheroidSource&) = delete;
   void operator=(const vtkSpheroidSource&) = delete;
 
+  int Preset = NONE;
   int Profile = GAUSSIAN;
-  int NumberOfParticles = 100000;
   double Sigma[3] = { 0.3, 0.3, 0.2 };
   double EffectiveRadius = 0.5;
   double SersicIndex = 2;
   double ScaleRadius = 2;
+  double Slope = 3.9;
   double Concentration = 10;
   double Truncation = 0;
   double AxisRatios[2] = { 1, 1 };
+  int NumberOfParticles = 100000;
+  bool Oriented = false;
+  double PositionAngle = 0;
+  double Inclination = 0;
+  char* Shells = nullptr;
   int Clusters = 0;
   double ClusterRadius = 0.005;
+  char* ClusterList = nullptr;
   double Center[3] = { 0, 0, 0 };
   double CentralBrightness = 1;
   double Luminosity = 0;

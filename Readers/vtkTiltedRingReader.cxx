@@ -2,12 +2,19 @@
 
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/RingPlane.h"
+#include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkTiltedRingReader);
+
+namespace
+{
+constexpr double mostDistance = 1e6;     // Mpc, beyond all that is seen
+constexpr double halfSky = 180.0 * 3600; // arcsec
+}
 
 vtkTiltedRingReader::vtkTiltedRingReader()
 {
@@ -18,6 +25,12 @@ int vtkTiltedRingReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   return galaxy::reportErrors(this, [&] {
+    // 0 says that there is none.
+    galaxy::requireProperty(
+      this->Distance >= 0 && this->Distance <= mostDistance, "Distance", "0 to 1e6 Mpc");
+    galaxy::requireProperty(
+      this->PixelScale >= 0 && this->PixelScale <= halfSky, "PixelScale", "0 to 648000 arcsec");
+    galaxy::requireProperty(this->Disk >= 1, "Disk", "at least 1");
     galaxy::RingOptions options;
     options.disk = this->Disk;
     options.sides = static_cast<galaxy::RingSides>(this->Sides);

@@ -31,13 +31,15 @@ public:
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
   ///@{
-  /// Distance in Mpc; 0 (default) leaves lengths in arcsec, and refuses files in pc or kpc.
+  /// Distance in Mpc, at most 1e6; 0 (default) says that it is not known: lengths stay arcsec, and
+  /// files in pc or kpc are refused.
   vtkSetMacro(Distance, double);
   vtkGetMacro(Distance, double);
   ///@}
 
   ///@{
-  /// Arcsec that a pixel spans, for files with radii in pixels; 0 (default) is what the file says.
+  /// Arcsec that a pixel spans, at most 648000, for files with radii in pixels; 0 (default) is what
+  /// the file says.
   vtkSetMacro(PixelScale, double);
   vtkGetMacro(PixelScale, double);
   ///@}

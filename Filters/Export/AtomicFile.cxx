@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace galaxy
@@ -57,21 +58,37 @@ AtomicFile::AtomicFile(const std::string& file)
     throw Error(file, "", fs::is_directory(status) ? "is a folder" : "is not a regular file");
   }
   this->create();
+  this->takePermissions();
 }
 
 void AtomicFile::create()
 {
   // O_EXCL: two writers of one file must not share a temporary.
-  const std::filesystem::path path(this->target);
+  // Its name is short, for that of the file itself may be as long as the system allows.
+  const std::string stem = folderOf(this->target) + "/.galaxy-" + std::to_string(getpid()) + "-";
+  const bool isThere = access(this->target.c_str(), F_OK) == 0;
+  const mode_t mode = isThere ? 0600 : 0666; // until takePermissions
   for (int attempt = 0; this->descriptor < 0; ++attempt)
   {
-    this->temporary = folderOf(this->target) + "/." + path.filename().string() + "." +
-      std::to_string(getpid()) + "-" + std::to_string(attempt);
-    this->descriptor = open(this->temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    this->temporary = stem + std::to_string(attempt);
+    this->descriptor = open(this->temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (this->descriptor < 0 && errno != EEXIST)
     {
       this->fail(errno);
     }
+  }
+}
+
+/// Those of the file that is to be replaced, as far as the system lets one: only root can give a
+/// file away, and some file systems have no permissions.
+void AtomicFile::takePermissions()
+{
+  struct stat before;
+  if (stat(this->target.c_str(), &before) == 0)
+  {
+    const bool isGiven = fchown(this->descriptor, before.st_uid, before.st_gid) == 0;
+    const mode_t mode = before.st_mode & (isGiven ? 07777 : 0777);
+    static_cast<void>(fchmod(this->descriptor, mode));
   }
 }
 
@@ -119,15 +136,28 @@ void AtomicFile::writeAt(std::uint64_t offset, const void* data, std::size_t byt
   }
 }
 
-void AtomicFile::commit()
+void AtomicFile::sync()
 {
+  if (this->descriptor < 0)
+  {
+    return;
+  }
   if (fsync(this->descriptor) != 0)
   {
     this->fail(errno);
   }
   const int closed = close(this->descriptor);
   this->descriptor = -1;
-  if (closed != 0 || rename(this->temporary.c_str(), this->target.c_str()) != 0)
+  if (closed != 0)
+  {
+    this->fail(errno);
+  }
+}
+
+void AtomicFile::commit()
+{
+  this->sync();
+  if (rename(this->temporary.c_str(), this->target.c_str()) != 0)
   {
     this->fail(errno);
   }

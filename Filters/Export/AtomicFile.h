@@ -9,8 +9,8 @@ namespace galaxy
 {
 /// A file that appears whole or not at all. It is written under a temporary name beside its place,
 /// and `commit` puts it there once it is safely on disk; without a commit the temporary file goes
-/// with the object, and a file that was there before stays as it was. Every function throws Error
-/// naming the file and the system's cause.
+/// with the object, and a file that was there before stays as it was; its owner and permissions
+/// pass on to the new one. Every function throws Error naming the file and the system's cause.
 class AtomicFile
 {
 public:
@@ -25,16 +25,21 @@ public:
   /// Appends.
   void write(const void* data, std::size_t bytes);
   void writeAt(std::uint64_t offset, const void* data, std::size_t bytes);
+  /// Brings all to the disk; nothing more can be written then. `commit` does so by itself.
+  void sync();
   void commit();
 
   /// As the user gave it.
   const std::string& name() const { return this->file; }
+  /// Where it will be: behind the symbolic links.
+  const std::string& place() const { return this->target; }
   /// Where the bytes go until the commit.
   const std::string& temporaryName() const { return this->temporary; }
 
 private:
   [[noreturn]] void fail(int code) const;
   void create();
+  void takePermissions();
 
   std::string file;
   std::string target;

@@ -1,7 +1,8 @@
 #include "Filters/Export/GadgetBinary.h"
 
-#include "Filters/Export/AtomicFile.h"
+#include "Filters/Export/CommitTogether.h"
 #include "Filters/Export/GadgetFields.h"
+#include "Filters/Export/GadgetParts.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ public:
     this->writeMarker(bytes);
   }
 
-  void commit() { this->file.commit(); }
+  AtomicFile& target() { return this->file; }
 
 private:
   static int typesOf(const GadgetField& field) { return field.gasOnly ? 1 : gadgetTypes; }
@@ -165,9 +166,8 @@ void writeGadgetBinary(const ParticleTable& table, const std::string& file, int 
   std::vector<std::unique_ptr<SnapshotFile>> snapshot;
   for (std::uint64_t k = 0; k < files; ++k)
   {
-    const std::string name = files == 1 ? file : file + "." + std::to_string(k);
-    snapshot.push_back(
-      std::make_unique<SnapshotFile>(name, format, order, shareOf(order, k, files)));
+    snapshot.push_back(std::make_unique<SnapshotFile>(
+      gadgetPartName(file, k, files), format, order, shareOf(order, k, files)));
     snapshot.back()->reserve(fields);
   }
   for (const auto& part : snapshot)
@@ -178,9 +178,11 @@ void writeGadgetBinary(const ParticleTable& table, const std::string& file, int 
       part->writeBlock(field, done);
     }
   }
+  std::vector<AtomicFile*> parts;
   for (const auto& part : snapshot)
   {
-    part->commit();
+    parts.push_back(&part->target());
   }
+  commitTogether(parts, staleGadgetParts(file, files));
 }
 } // namespace galaxy

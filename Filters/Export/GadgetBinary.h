@@ -43,7 +43,8 @@ constexpr std::uint64_t largestGadgetBlock = 2147483647;
 /// ID, MASS, of gas U and RHO, HSML, COMP (component), COL (RGB_s, 0 to 255) and, where there are
 /// such arrays, EMIS and ABSO; numbers in the machine's own byte order. Where a block were larger
 /// than `largestBlock` bytes the snapshot is split, as Gadget does, into file.0, file.1 and so on,
-/// each with its share of every type. No file appears before all are written.
+/// each with its share of every type. All files appear or none does, and those go that an earlier
+/// snapshot of this name, split otherwise, has left.
 void writeGadgetBinary(const ParticleTable& table, const std::string& file, int format,
   std::uint64_t largestBlock, const std::function<bool(double)>& progress);
 } // namespace galaxy

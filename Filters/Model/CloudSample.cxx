@@ -82,13 +82,14 @@ CloudSample::CloudSample(const float* position, std::size_t count, std::size_t m
     mask = mask << 1 | 1;
     this->taken /= 2;
   }
-  // Should countless particles share one place, and so one hash, memory stays bounded all the same.
-  const std::size_t expected = count * this->taken / omp_get_max_threads();
-  const std::size_t room = 3 * (this->taken < 1 ? expected + expected / 4 + blockSize : count);
   Box all;
   this->chosen.resize(omp_get_max_threads());
 #pragma omp parallel
   {
+    // Should countless particles share one place, and so one hash, memory stays bounded all the
+    // same.
+    const std::size_t expected = count * this->taken / omp_get_num_threads();
+    const std::size_t room = 3 * (this->taken < 1 ? expected + expected / 4 + blockSize : count);
     Box box;
     std::vector<float> mine;
     mine.reserve(std::min(room, 3 * (expected + 2 * blockSize)));

@@ -1,10 +1,13 @@
 #include "Filters/Model/DustFilaments.h"
 
 #include "Filters/Model/FractalDust.h"
+#include "Filters/Model/NormalQuantile.h"
 #include "Filters/Model/NormalSequence.h"
 #include "Filters/Model/SineCosine.h"
+#include "Filters/Model/VerticalLaw.h"
 #include "Readers/Formats/Error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -177,11 +180,21 @@ private:
   double w; ///< km/s
 };
 
-/// The height, not beyond normalFocalHeight, which takes a root that is seldom needed.
-double keptBelowFocus(const RingFrame& ring, double z)
+/// A height of a normal layer of rms height h, lowered to that below which the same share lies of
+/// the part of the layer below normalFocalHeight.
+double keptBelowFocus(const RingFrame& ring, double z, double h)
 {
+  constexpr double mostShare = 1 - 0x1p-32; // that normalQuantile takes
+  // Of a layer this many times thinner nothing lies beyond, in double precision.
+  constexpr double all = 8.3;
   const double bend = ring.bendA * ring.bendA + ring.bendB * ring.bendB;
-  return 4 * z * z * bend > 1 ? std::copysign(normalFocalHeight(ring), z) : z;
+  if (4 * all * all * h * h * bend <= 1)
+  {
+    return z;
+  }
+  const double below = shareWithin(LayerLaw::Gaussian, normalFocalHeight(ring) / h);
+  const double share = std::min(shareWithin(LayerLaw::Gaussian, std::abs(z) / h), mostShare);
+  return std::copysign(h * normalQuantile(below * share), z);
 }
 
 /// The disc's motion and the walk's own.
@@ -316,7 +329,7 @@ void placeFilaments(const Seeds& seeds, const ParticleStarts& starts, const Tilt
         ring = disk.frame(plane.radius());
       }
       const double x = plane.radius() * plane.cosTheta(), y = plane.radius() * plane.sinTheta();
-      const double z = keptBelowFocus(ring, vertical.height());
+      const double z = keptBelowFocus(ring, vertical.height(), component.dust.scaleHeight);
       writer.write(particle, x * ring.a + y * ring.b + z * ring.n, light, &seeds.color[3 * i],
         writer.wantsVelocity() ? velocityOf(ring, plane, vertical) : Vec3{});
     }

@@ -21,8 +21,9 @@ namespace galaxy
 /// Across the plane it is a damped oscillator in thermal equilibrium, of frequency
 /// nu = sigma_w / h_d, by the BAOAB scheme (Leimkuhler & Matthews 2013), whose heights have the rms
 /// h_d whatever the step, as long as nu dt < 2.
-/// A filament ends where it would leave the radii its seeds were drawn from. Heights stay below
-/// normalFocalHeight. The particles of a filament share the seed's light equally; their velocity is
+/// A filament ends where it would leave the radii its seeds were drawn from. Of the normal law of
+/// the heights what lies below normalFocalHeight is used: a height keeps its share of that. The
+/// particles of a filament share the seed's light equally; their velocity is
 /// that of the disc and the peculiar one in the plane (u) and across it (w).
 
 /// Throws Error (file, component) naming the key that is out of range, and where a step could have

@@ -3,6 +3,7 @@
 #include "Filters/Model/NormalQuantile.h"
 #include "Filters/Model/SineCosine.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,27 +24,33 @@ std::uint64_t scrambled(std::uint64_t bits)
   return bits ^ bits >> 31;
 }
 
-/// Equally probable normal deviates, the quantiles at the middles of their shares, made of variance
-/// 1.
+/// Normal deviates by 64 random bits: the quantiles at the middles of 4096 equal shares, but in the
+/// first and the last, the tails, where the bits themselves say, to 6.2 sigma. That makes the
+/// variance 1 to 1e-4, and the exponentials of large contrasts what they should be.
 class DeviateTable
 {
 public:
   DeviateTable()
   {
-    double squares = 0;
     for (std::size_t k = 0; k < this->values.size(); ++k)
     {
       this->values[k] = normalQuantile((2 * k + 1.0) / this->values.size() - 1);
-      squares += this->values[k] * this->values[k];
-    }
-    for (double& value : this->values)
-    {
-      value /= std::sqrt(squares / this->values.size());
     }
   }
-  double operator[](std::uint64_t bits) const { return this->values[bits >> 52]; }
+  double operator[](std::uint64_t bits) const
+  {
+    const std::uint64_t k = bits >> 52;
+    return k > 0 && k + 1 < this->values.size() ? this->values[k] : tail(bits);
+  }
 
 private:
+  static double tail(std::uint64_t bits)
+  {
+    constexpr double largest = 1 - 0x1p-32;
+    const double x = (static_cast<double>(bits >> 11) + 0.5) * 0x1p-52 - 1;
+    return normalQuantile(std::clamp(x, -largest, largest));
+  }
+
   std::array<double, 4096> values;
 };
 
@@ -98,6 +105,8 @@ Vec3 turned(const Vec3& p)
 FractalNoise::FractalNoise(const DustDescription& dust, const RandomKey& key)
   : ridged(dust.noise == FractalKind::Ridged)
 {
+  // Nothing of an octave depends on how many there are.
+  constexpr std::uint64_t lattices = 1 << 16;
   double squares = 0;
   for (int k = 0; k < dust.octaves; ++k)
   {
@@ -106,7 +115,7 @@ FractalNoise::FractalNoise(const DustDescription& dust, const RandomKey& key)
     octave.frequency = std::pow(dust.lacunarity, k) / dust.noiseScale;
     octave.amplitude = std::pow(dust.lacunarity, -dust.hurst * k);
     octave.shift = { random.uniform(), random.uniform(), random.uniform() };
-    const auto bits = randomBits(key, RandomStream::FractalNoise, dust.octaves + k, 0);
+    const auto bits = randomBits(key, RandomStream::FractalNoise, lattices + k, 0);
     octave.seed = static_cast<std::uint64_t>(bits[0]) << 32 | bits[1];
     squares += octave.amplitude * octave.amplitude;
     this->octaves.push_back(octave);

@@ -16,8 +16,9 @@ namespace galaxy
 /// An octave is value noise whose variance is the same at every point: the normal deviates of the
 /// eight lattice points around, weighted by w_i of the quintic fade (Perlin 2002), over
 /// sqrt(sum w_i^2), which makes each value itself a normal deviate. Octave k has the scale
-/// noise_scale/lacunarity^k and the amplitude lacunarity^(-H k); the lattices are turned against
-/// one another and shifted at random. Ridged noise takes 1 - |n| of each octave in place of n.
+/// noise_scale/lacunarity^k and the amplitude lacunarity^(-H k), over what makes the variance 1;
+/// the lattices are turned against one another and shifted at random. More octaves add detail and
+/// leave the shape of those before. Ridged noise takes 1 - |n| of each octave in place of n.
 class FractalNoise
 {
 public:

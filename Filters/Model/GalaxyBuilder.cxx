@@ -3,18 +3,20 @@
 #include "Filters/Model/AutomaticCount.h"
 #include "Filters/Model/BlockSum.h"
 #include "Filters/Model/DustFilaments.h"
+#include "Filters/Model/FiniteParticles.h"
 #include "Filters/Model/ImageStore.h"
 #include "Filters/Model/ParticleWriter.h"
 #include "Filters/Model/Photometry.h"
 #include "Filters/Model/PixelFill.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/Model/Spheroid.h"
+#include "Filters/Model/Stopwatch.h"
+#include "Filters/Model/SurfaceDraws.h"
 #include "Filters/Model/Thickness.h"
 #include "Filters/Model/ThicknessProfile.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -22,31 +24,10 @@ namespace galaxy
 {
 namespace
 {
-class Stopwatch
-{
-public:
-  /// Seconds since the last call.
-  double lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - this->last).count();
-    this->last = now;
-    return seconds;
-  }
-
-private:
-  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
-};
-
 ComponentInfo infoOf(const ComponentDescription& component)
 {
   return { component.name, component.role == ComponentRole::Absorbs, component.absorption,
     component.size, component.brightness };
-}
-
-bool usesImages(const ComponentDescription& component)
-{
-  return component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
 }
 
 double largestRadius(const GalaxyDescription& galaxy, const TiltedDisk& disk)
@@ -64,13 +45,15 @@ class Builder
 {
 public:
   Builder(const Galaxy& input, const BuildOptions& options, BuildReport& report)
-    : galaxy(input.description)
+    : input(input)
+    , galaxy(input.description)
     , options(options)
     , report(report)
     , disk(input.rings, this->galaxy.distance, this->galaxy.spin, this->galaxy.interpolation,
         this->galaxy.beyondLastRing)
     , store(input, this->disk, largestRadius(this->galaxy, this->disk))
   {
+    requireUsable(options, this->galaxy.file);
     if (this->galaxy.components.size() > 256)
     {
       throw Error(this->galaxy.file, "component", "a galaxy can have 256 components at most");
@@ -104,7 +87,7 @@ public:
       }
       else if (component.spheroid.lightFrom.empty())
       {
-        this->appendSpheroid(k, nullptr);
+        this->appendSpheroid(k, nullptr, 0);
       }
     }
     for (const ComponentDescription& component : this->galaxy.components)
@@ -160,12 +143,7 @@ private:
 
   std::size_t scaled(const ComponentDescription& component, double particles) const
   {
-    const double count = this->options.particleScale * particles;
-    if (!(count >= 0 && count < 1e15))
-    {
-      throw Error(this->galaxy.file, component.name, "particles: no usable number");
-    }
-    return static_cast<std::size_t>(std::llround(count));
+    return scaledCount(this->options, particles, this->galaxy.file, component.name);
   }
 
   double outerRadius(const ComponentDescription& component) const
@@ -187,17 +165,20 @@ private:
       return std::nullopt;
     }
     StageSeconds& seconds = this->report.components[index].seconds;
+    this->report.components[index].dark = countPixels(this->input, component);
     this->store.prepare(component);
     seconds.images += this->proceed();
     std::optional<LightMap> map = this->store.lightOf(component, this->outerRadius(component));
     seconds.light += this->proceed();
+    std::optional<double> light; // before any is taken
     for (std::size_t k = 0; k < this->galaxy.components.size(); ++k)
     {
       const ComponentDescription& spheroid = this->galaxy.components[k];
       if (spheroid.type == ComponentType::Spheroid && spheroid.spheroid.lightFrom == component.name)
       {
         const std::size_t before = this->particles.size();
-        this->appendSpheroid(k, &*map);
+        light = light ? light : map->fluxOn(this->inverseOf(component));
+        this->appendSpheroid(k, &*map, *light);
         if (!builds)
         {
           resizeParticles(this->particles, before, this->options.velocities);
@@ -217,7 +198,13 @@ private:
     {
       const double beam =
         std::max({ this->store.beamOf(component), map->pixelSide(), this->options.viewPixel });
-      seedCount = automaticCount(*map, beam, component.noise);
+      const DiskInverse inverse = this->inverseOf(component);
+      const double area = component.sampling == SeedSampling::ImageDriven
+        ? effectiveArea(*map, inverse)
+        : SurfaceDraws(
+            this->disk, std::max(0.0, component.innerRadius), this->outerRadius(component))
+            .skyArea();
+      seedCount = automaticCount(area, beam, component.noise);
     }
     const std::size_t count = this->scaled(component, seedCount);
     if (map && component.normalizeAt != NormalizeAt::None)
@@ -287,8 +274,9 @@ private:
     const DiskInverse inverse = this->inverseOf(component);
     const std::vector<std::uint32_t> uncovered = photometry.uncovered(inverse);
     resizeParticles(this->particles, placed + uncovered.size(), this->options.velocities);
-    fillPixels(uncovered, map, this->disk, inverse, this->layerOf(component), this->keyOf(index),
-      static_cast<float>(typical), this->writerOf(index, placed));
+    fillPixels(uncovered, map, this->disk, inverse, this->layerOf(component),
+      component.velocityDispersion, this->keyOf(index), static_cast<float>(typical),
+      this->writerOf(index, placed));
     photometry.weigh(this->particles, placed, this->particles.size());
     photometry.shine(this->particles, first, this->particles.size(), lightFactor(component));
     this->report.components[index].filled = uncovered.size();
@@ -309,8 +297,8 @@ private:
     return { this->particles, first, static_cast<std::uint8_t>(index) };
   }
 
-  /// With a map, the spheroid takes its light from that.
-  void appendSpheroid(std::size_t index, LightMap* map)
+  /// With a map, the spheroid takes its fraction of `light` from that.
+  void appendSpheroid(std::size_t index, LightMap* map, double light)
   {
     const ComponentDescription& component = this->galaxy.components[index];
     ComponentReport& done = this->report.components[index];
@@ -323,8 +311,7 @@ private:
     done.seconds.thickness += this->proceed();
     if (map)
     {
-      const double each =
-        component.spheroid.lightFraction * map->totalFlux() / static_cast<double>(count);
+      const double each = component.spheroid.lightFraction * light / static_cast<double>(count);
       Photometry::takeLight(this->particles, first, first + count, each, *map);
     }
     done.seconds.photometry += this->proceed();
@@ -338,13 +325,16 @@ private:
     const ComponentDescription& component = this->galaxy.components[index];
     ComponentReport& done = this->report.components[index];
     const std::size_t last = this->particles.size();
+    requireFinite(this->particles, first, last, this->galaxy.file, component.name);
     setSmoothingLengths(this->particles, first, last, component.smoothing);
+    requireFiniteLengths(this->particles, first, last, this->galaxy.file, component.name);
     done.particles = last - first;
     done.smoothingLength = done.particles > 0
       ? blockSum(this->particles.smoothingLength, first, last) / static_cast<double>(done.particles)
       : 0;
   }
 
+  const Galaxy& input;
   const GalaxyDescription& galaxy;
   const BuildOptions& options;
   BuildReport& report;

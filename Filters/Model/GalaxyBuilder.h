@@ -1,29 +1,18 @@
 #ifndef galaxy_GalaxyBuilder_h
 #define galaxy_GalaxyBuilder_h
 
+#include "Filters/Model/BuildOptions.h"
 #include "Filters/Model/Particles.h"
+#include "Filters/Model/PixelCount.h"
 #include "Filters/Model/Seeds.h"
 #include "Readers/Formats/Galaxy.h"
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace galaxy
 {
-struct BuildOptions
-{
-  double particleScale = 1; ///< factor on every component's `particles`
-  std::uint64_t seed = 1;   ///< of the random numbers
-  bool velocities = false;  ///< fill Particles::velocity
-  /// Side of the pixels that the model will be seen with, kpc: components of particles = "Auto"
-  /// are made no finer than that. 0: as fine as their images.
-  double viewPixel = 0;
-  /// Called from the calling thread with the fraction done; returning false aborts.
-  std::function<bool(double)> progress;
-};
-
 /// Seconds of the stages of a component, in their order.
 struct StageSeconds
 {
@@ -48,6 +37,7 @@ struct ComponentReport
   std::size_t seedsKept = 0;
   std::size_t particles = 0;
   std::size_t filled = 0; ///< of them, those added for pixels that no other fell on
+  PixelCount dark;        ///< of its images, whole, as read
   int bins = 1;           ///< pixels of the images along a side of those that are kept exactly
   double flux = 0;  ///< of its images within its radius (a square), less what spheroids take, kpc^2
   double light = 0; ///< that the particles carry; the rest lies off the disc

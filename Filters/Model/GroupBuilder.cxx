@@ -1,16 +1,48 @@
 #include "Filters/Model/GroupBuilder.h"
 
+#include "Filters/Model/FiniteParticles.h"
 #include "Filters/Model/Placement.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/Galaxy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace galaxy
 {
+namespace
+{
+/// The factors as the .galaxygroup file calls them, whoever has multiplied them since.
+void requireUsable(const GroupDescription& group)
+{
+  const auto require = [&](double value, const char* name) {
+    if (!(std::isfinite(value) && value > 0))
+    {
+      throw Error(group.file, name, "must be a finite number greater than 0");
+    }
+  };
+  require(group.magnification, "magnification");
+  require(group.separation, "separation");
+  for (const GroupMember& member : group.members)
+  {
+    require(member.magnification, "magnification");
+  }
+}
+
+void place(const Placement& placement, const GroupDescription& group, const GroupMember& member,
+  Particles& particles)
+{
+  placeParticles(placement, particles);
+  const std::size_t all = particles.size();
+  requireFinite(particles, 0, all, group.file, member.galaxy);
+  requireFiniteLengths(particles, 0, all, group.file, member.galaxy);
+}
+} // namespace
+
 Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
 {
+  requireUsable(group);
   std::vector<Particles> parts;
   std::vector<std::string> names;
   std::optional<SkyFrame> origin;
@@ -42,9 +74,8 @@ Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
         "a second member is called " + galaxy.description.name + "; names must differ");
     }
     names.push_back(galaxy.description.name);
-    placeParticles(
-      placementOf(frame, *origin, group.magnification * member.magnification, group.separation),
-      parts.back());
+    place(placementOf(frame, *origin, group.magnification * member.magnification, group.separation),
+      group, member, parts.back());
   }
   return mergeParticles(parts, names);
 }

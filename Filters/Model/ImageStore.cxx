@@ -1,7 +1,6 @@
 #include "Filters/Model/ImageStore.h"
 
 #include "Filters/Model/Deredden.h"
-#include "Filters/Model/DiskInverse.h"
 #include "Filters/Model/ImageCleaning.h"
 #include "Filters/Model/IntensityScale.h"
 #include "Filters/Model/Seeds.h"
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 namespace galaxy
 {
@@ -38,8 +38,7 @@ LightMap ImageStore::lightOf(const ComponentDescription& component, double radiu
   {
     layers.push_back(this->layerOf(component, layer));
   }
-  return LightMap(
-    layers, component, radius, this->galaxy.file, this->dereddeningOf(component, radius));
+  return LightMap(layers, component, radius, this->galaxy.file, this->dereddeningOf(component));
 }
 
 SeedLayer ImageStore::layerOf(const ComponentDescription& component, const LayerDescription& layer)
@@ -61,12 +60,20 @@ SeedLayer ImageStore::calibratedLayerOf(
   if (component.depth.calibration == DepthCalibration::FaceOn)
   {
     const OpticalDepth depth(component, this->galaxy.file);
-    const DiskInverse inverse(this->disk, 0, this->radius);
-    calibrated.scale = [=, scale = uncalibrated.scale, &disk = this->disk](
+    calibrated.threshold = 0; // of the intensity, before it becomes a depth
+    calibrated.scale = [=, inverse = this->inverseOf(component), &disk = this->disk](
                          double value, double x, double y) {
+      const double intensity = uncalibrated.scale(value, x, y);
+      if (!(intensity >= uncalibrated.threshold))
+      {
+        return 0.0;
+      }
       DiskInverse::Sheets sheets;
-      const bool onDisk = inverse.find(x, y, sheets) > 0;
-      return onDisk ? depth(scale(value, x, y), 0, std::abs(disk.frame(sheets[0].r).n.z)) : 0;
+      const int count = inverse.find(x, y, sheets);
+      return std::accumulate(
+        sheets.begin(), sheets.begin() + count, 0.0, [&](double sum, const DiskSheet& sheet) {
+          return sum + depth(intensity, 0, std::abs(disk.frame(sheet.r).n.z));
+        });
     };
     return calibrated;
   }
@@ -106,8 +113,12 @@ DepthImage ImageStore::depthImageOf(const std::string& name) const
     converts ? brightnessOf(image, this->galaxy.images[index]) : Brightness{} };
 }
 
-LightMap::ChangeColor ImageStore::dereddeningOf(
-  const ComponentDescription& component, double radius)
+DiskInverse ImageStore::inverseOf(const ComponentDescription& component) const
+{
+  return { this->disk, std::max(0.0, component.innerRadius), outerRadiusOf(component, this->disk) };
+}
+
+LightMap::ChangeColor ImageStore::dereddeningOf(const ComponentDescription& component)
 {
   if (component.deredden.empty())
   {
@@ -116,17 +127,20 @@ LightMap::ChangeColor ImageStore::dereddeningOf(
   const auto& components = this->galaxy.components;
   const auto dust = std::find_if(components.begin(), components.end(),
     [&](const ComponentDescription& other) { return other.name == component.deredden; });
-  if (dust == components.end() || dust->layers.empty())
+  if (dust == components.end() || !usesImages(*dust))
   {
     throw Error(this->galaxy.file, component.name,
-      "deredden: " + component.deredden + " is no component with layers");
+      "deredden: " + component.deredden + " is no disk with layers");
   }
-  const auto map = std::make_shared<LightMap>(this->lightOf(*dust, radius));
+  const auto map =
+    std::make_shared<LightMap>(this->lightOf(*dust, outerRadiusOf(*dust, this->disk)));
   const double perIntensity = lightFactor(*dust);
-  return [map, perIntensity, absorption = dust->absorption, geometry = component.dustGeometry](
-           double x, double y, Color& color) {
+  // The map is a square, but there is no dust off the dust's own disc.
+  return [map, perIntensity, inverse = this->inverseOf(*dust), absorption = dust->absorption,
+           geometry = component.dustGeometry](double x, double y, Color& color) {
     const std::uint32_t pixel = map->pixelAt(x, y);
-    const double tau = pixel == LightMap::nowhere ? 0 : perIntensity * map->intensity(pixel);
+    const bool isBehind = pixel != LightMap::nowhere && inverse.covers(x, y);
+    const double tau = isBehind ? perIntensity * map->intensity(pixel) : 0;
     const Color factors = dereddening(geometry, tau, absorption);
     std::transform(
       color.begin(), color.end(), factors.begin(), color.begin(), std::multiplies<double>());
@@ -200,9 +214,9 @@ CleanImage ImageStore::combined(const ImageDescription& description) const
 
 double lightFactor(const ComponentDescription& component)
 {
-  return component.role == ComponentRole::Absorbs &&
-      component.depth.calibration == DepthCalibration::Given
-    ? component.opticalDepth
-    : 1;
+  const DepthCalibration calibration = component.depth.calibration;
+  const bool isGiven = calibration == DepthCalibration::Given ||
+    (calibration == DepthCalibration::FaceOn && !usesImages(component));
+  return component.role == ComponentRole::Absorbs && isGiven ? component.opticalDepth : 1;
 }
 } // namespace galaxy

@@ -2,6 +2,7 @@
 #define galaxy_ImageStore_h
 
 #include "Filters/Model/CombineImages.h"
+#include "Filters/Model/DiskInverse.h"
 #include "Filters/Model/LightMap.h"
 #include "Filters/Model/OpticalDepth.h"
 #include "Filters/Model/RingGeometry.h"
@@ -39,7 +40,8 @@ private:
   SeedLayer calibratedLayerOf(
     const ComponentDescription& component, const LayerDescription& layer, SeedLayer uncalibrated);
   DepthImage depthImageOf(const std::string& name) const;
-  LightMap::ChangeColor dereddeningOf(const ComponentDescription& component, double radius);
+  DiskInverse inverseOf(const ComponentDescription& component) const;
+  LightMap::ChangeColor dereddeningOf(const ComponentDescription& component);
 
   const GalaxyDescription& galaxy;
   const std::vector<Image>& images;
@@ -48,8 +50,9 @@ private:
   double radius;
   std::map<std::string, std::unique_ptr<SkyImage>> skyImages;
 };
-/// From a component's light map to what its particles carry: the optical depth of intensity 1 for
-/// absorbers that are not calibrated otherwise, else 1.
+/// From a component's light map, or from its profile where it has no images, to what its particles
+/// carry: the optical depth of intensity 1 for absorbers that are not calibrated otherwise, else 1.
+/// (Of a profile, intensity and depth are across the disc, as FaceOn has it.)
 double lightFactor(const ComponentDescription& component);
 } // namespace galaxy
 

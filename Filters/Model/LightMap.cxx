@@ -1,5 +1,6 @@
 #include "Filters/Model/LightMap.h"
 
+#include "Filters/Model/BlockSum.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -208,6 +209,21 @@ void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& cha
 double LightMap::totalFlux() const
 {
   return std::accumulate(this->fluxes.begin(), this->fluxes.end(), 0.0);
+}
+
+double LightMap::fluxOn(const DiskInverse& disk) const
+{
+  struct OnDisk
+  {
+    float operator[](std::size_t pixel) const
+    {
+      const auto p = static_cast<std::uint32_t>(pixel);
+      return this->map.isLitOn(this->disk, p) ? this->map.flux(p) : 0;
+    }
+    const LightMap& map;
+    const DiskInverse& disk;
+  };
+  return blockSum(OnDisk{ *this, disk }, 0, this->size());
 }
 
 bool LightMap::isLitOn(const DiskInverse& disk, std::uint32_t pixel) const

@@ -71,6 +71,8 @@ public:
   const std::uint8_t* color(std::uint32_t pixel) const { return &this->colors[3 * pixel]; }
   /// The flux of all pixels.
   double totalFlux() const;
+  /// The flux of those whose middle shows the disc.
+  double fluxOn(const DiskInverse& disk) const;
   /// Whether a pixel has light and its middle shows the disc.
   bool isLitOn(const DiskInverse& disk, std::uint32_t pixel) const;
   /// How many do.

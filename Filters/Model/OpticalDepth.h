@@ -23,7 +23,7 @@ bool isColumnDensity(const std::string& unit);
 
 /// The optical depth in V along the line of sight that an absorber's image stands for:
 ///   Given      optical_depth times the intensity;
-///   FaceOn     the same across the plane, hence over cos i along the line of sight;
+///   FaceOn     the same across the plane, hence longer along the line of sight (pathThrough);
 ///   PAH8um     tau_ref I/<I> with I = I_8 - 0.232 I_3.6, the light of the hydrocarbons (Helou et
 ///              al. 2004; the mean within reference_radius from meanWithin). They are not all of
 ///              the dust: where starlight is harsh they perish;
@@ -62,12 +62,23 @@ public:
   /// Tells the mean signal within reference_radius. Throws Error where it is not positive.
   void setReference(double meanSignal);
 
-  /// `value` is the intensity with Given and FaceOn, the image's value else; `cosInclination`,
-  /// above 0, that of the disc at this place, which FaceOn alone looks at.
+  /// `value` is the intensity with Given and FaceOn, the image's value else; `cosInclination`, 0 to
+  /// 1, that of the disc at this place, which FaceOn alone looks at.
   double operator()(double value, double companion = 0, double cosInclination = 1) const
   {
     const double depth = this->perSignal * this->signal(value, companion);
-    return this->calibration == DepthCalibration::FaceOn ? depth / cosInclination : depth;
+    return this->calibration == DepthCalibration::FaceOn ? depth * pathThrough(cosInclination)
+                                                         : depth;
+  }
+
+  /// The way through a disc along the line of sight over that across it: not 1/cos i, which has no
+  /// end, but 1/sqrt(cos^2 i + q^2 sin^2 i), that of flattened ellipsoids whose axis ratio is
+  /// q = 0.1 (as in Hubble's formula of the inclination), 10 where the disc is edge-on.
+  static double pathThrough(double cosInclination)
+  {
+    constexpr double q2 = 0.1 * 0.1;
+    const double cos2 = cosInclination * cosInclination;
+    return 1 / std::sqrt(cos2 + q2 * (1 - cos2));
   }
 
 private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace galaxy
 {
@@ -47,8 +48,8 @@ void PixelDraws::share(const LightMap& map, std::size_t seeds)
     this->ends.assign(this->pixels.size(), 0);
     return;
   }
-  const double least = seeds >= 2 * this->pixels.size() ? 1 : 0;
-  double lambda = 0; // at first no pixel is below its least
+  const double least = seeds >= this->pixels.size() ? 1 : 0;
+  double lambda = std::numeric_limits<double>::infinity(); // at first no pixel is below its least
   std::size_t below = 0;
   for (bool settled = false; !settled;)
   {
@@ -56,13 +57,13 @@ void PixelDraws::share(const LightMap& map, std::size_t seeds)
     std::size_t count = 0;
     for (const std::uint32_t pixel : this->pixels)
     {
-      const bool isBelow = lambda > 0 && lambda * map.flux(pixel) < least;
+      const bool isBelow = lambda * map.flux(pixel) < least;
       count += isBelow;
       flux += isBelow ? 0 : map.flux(pixel);
     }
-    settled = lambda > 0 && count <= below;
+    settled = std::isfinite(lambda) && count <= below;
     below = count;
-    lambda = (static_cast<double>(seeds) - static_cast<double>(below)) / flux;
+    lambda = flux > 0 ? static_cast<double>(seeds - below) / flux : 0;
   }
   double sum = 0;
   this->ends.reserve(this->pixels.size());

@@ -12,8 +12,8 @@ namespace galaxy
 /// Shares a number of seeds among the pixels of a map, in proportion to their light.
 ///
 /// A pixel that shows the disc and has the flux F_p expects e_p = lambda F_p seeds. Where there are
-/// at least twice as many seeds as such pixels every one of them expects max(1, lambda F_p), so
-/// that none goes without; lambda makes the sum the number of seeds. With the pixels along
+/// no fewer seeds than such pixels every one of them expects max(1, lambda F_p), so that none goes
+/// without; lambda makes the sum the number of seeds. With the pixels along
 /// Hilbert's curve and the running sum E of what they expect, seed j belongs to the pixel in which
 /// E passes j + shift (systematic sampling): a pixel, or any stretch of the curve, gets its
 /// expected number to within one, where independent draws would scatter by its root.

@@ -1,21 +1,42 @@
 #include "Filters/Model/PixelFill.h"
 
+#include "Filters/Model/SheetsInPixel.h"
 #include "Filters/Model/VerticalLaw.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace galaxy
 {
 namespace
 {
-/// The nearest sheet of the disc at (x, y); false where there is none.
-bool sheetAt(const DiskInverse& inverse, double x, double y, DiskSheet& sheet)
+/// Of the sheets at (x, y) the one whose radius is nearest to r; false where there is none.
+bool sheetNear(const DiskInverse& inverse, double x, double y, double r, DiskSheet& sheet)
 {
   DiskInverse::Sheets sheets;
-  const bool found = inverse.find(x, y, sheets) > 0;
-  sheet = found ? sheets[0] : sheet;
-  return found;
+  const int found = inverse.find(x, y, sheets);
+  const auto* nearest = std::min_element(sheets.data(), sheets.data() + found,
+    [r](const DiskSheet& a, const DiskSheet& b) { return std::abs(a.r - r) < std::abs(b.r - r); });
+  sheet = found > 0 ? *nearest : sheet;
+  return found > 0;
 }
+
+/// What chance decides of where a particle is seen.
+struct Draw
+{
+  double u, v;   ///< fractions of the pixel
+  double chosen; ///< among sheets
+};
+
+/// Where a pixel shows the disc.
+struct Seen
+{
+  PixelPosition at;
+  DiskSheet sheet;
+  RingFrame ring;
+  double scaleHeight; ///< kpc
+};
 
 /// Places one particle.
 class Filler
@@ -29,23 +50,26 @@ public:
   {
   }
 
-  /// Seen at the fractions (u, v) of the pixel, `height` kpc over the disc.
-  void fill(std::size_t i, std::uint32_t pixel, double u, double v,
-    const std::function<double(double r)>& heightAt, const ParticleWriter& writer) const
+  Seen look(std::uint32_t pixel, const Draw& draw, const VerticalLayer& layer) const
   {
-    PixelPosition at = this->map.pointIn(pixel, u, v);
-    DiskSheet sheet;
-    if (!sheetAt(this->inverse, at.x, at.y, sheet))
-    {
-      // At the disc's edge: the middle of the pixel does show it.
-      at = this->map.pointIn(pixel, 0.5, 0.5);
-      sheetAt(this->inverse, at.x, at.y, sheet);
-    }
-    RingFrame ring = this->disk.frame(sheet.r);
-    const double highest = normalFocalHeight(ring);
-    const double wanted = std::clamp(heightAt(sheet.r), -highest, highest);
+    SeenSheets seen;
+    std::size_t near = 0;
+    findInPixel(this->map, this->inverse, pixel, draw.u, draw.v, near, seen);
+    const DiskSheet sheet = seen.byShare(draw.chosen);
+    return { seen.at, sheet, this->disk.frame(sheet.r), layer.scaleHeight(sheet.r) };
+  }
+
+  /// `height`: in scale heights.
+  void fill(std::size_t i, const Seen& seen, double height, const Vec3& motion,
+    const ParticleWriter& writer) const
+  {
+    const PixelPosition at = seen.at;
+    DiskSheet sheet = seen.sheet;
+    RingFrame ring = seen.ring;
+    const double wanted = height * seen.scaleHeight;
     double z = 0;
-    if (sheetAt(this->inverse, at.x - wanted * ring.n.x, at.y - wanted * ring.n.y, sheet))
+    if (sheetNear(
+          this->inverse, at.x - wanted * ring.n.x, at.y - wanted * ring.n.y, sheet.r, sheet))
     {
       z = wanted;
       ring = this->disk.frame(sheet.r);
@@ -55,7 +79,7 @@ public:
     constexpr std::uint8_t white[3] = { 255, 255, 255 };
     // The normal has turned a little on the way: along the sky the pixel decides.
     writer.write(i, { at.x, at.y, p.z }, this->weight, white,
-      ringVelocity(ring, sheet.cosTheta, sheet.sinTheta));
+      ringVelocity(ring, sheet.cosTheta, sheet.sinTheta) + motion);
   }
 
 private:
@@ -67,29 +91,38 @@ private:
 } // namespace
 
 void fillPixels(const std::vector<std::uint32_t>& pixels, const LightMap& map,
-  const TiltedDisk& disk, const DiskInverse& inverse, const VerticalLayer& layer,
+  const TiltedDisk& disk, const DiskInverse& inverse, const VerticalLayer& layer, double dispersion,
   const RandomKey& key, float weight, const ParticleWriter& writer)
 {
   const Filler filler(map, disk, inverse, weight);
+  const double agitation = writer.wantsVelocity() ? dispersion : 0;
 #pragma omp parallel for schedule(static)
   for (std::size_t first = 0; first < pixels.size(); first += deviatesAtOnce)
   {
     const std::size_t last = std::min<std::size_t>(pixels.size(), first + deviatesAtOnce);
-    Deviates across{}, along{}, heights{};
+    std::array<Seen, deviatesAtOnce> seen;
+    std::array<Vec3, deviatesAtOnce> motion;
+    Deviates heights{};
     for (std::size_t i = first; i < last; ++i)
     {
       Random random(key, RandomStream::PixelFill, pixels[i]);
-      across[i - first] = 0.25 + 0.5 * random.uniform();
-      along[i - first] = 0.25 + 0.5 * random.uniform();
+      Draw draw;
+      draw.u = 0.25 + 0.5 * random.uniform();
+      draw.v = 0.25 + 0.5 * random.uniform();
       heights[i - first] = std::clamp(2 * random.uniform() - 1, -1 + 0x1p-31, 1 - 0x1p-31);
+      draw.chosen = random.uniform();
+      if (agitation > 0)
+      {
+        motion[i - first] = agitation * random.normalVector();
+      }
+      Seen& at = seen[i - first];
+      at = filler.look(pixels[i], draw, layer);
+      heights[i - first] *= shareWithin(layer.law, normalFocalHeight(at.ring) / at.scaleHeight);
     }
     sharesToHeights(layer.law, heights);
     for (std::size_t i = first; i < last; ++i)
     {
-      const double height = heights[i - first];
-      filler.fill(
-        i, pixels[i], across[i - first], along[i - first],
-        [&](double r) { return height * layer.scaleHeight(r); }, writer);
+      filler.fill(i, seen[i - first], heights[i - first], motion[i - first], writer);
     }
   }
 }

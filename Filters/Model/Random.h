@@ -2,6 +2,7 @@
 #define galaxy_Random_h
 
 #include "Filters/Model/SineCosine.h"
+#include "Readers/Formats/Vec3.h"
 
 #include <Random123/philox.h>
 
@@ -90,6 +91,14 @@ public:
     this->spare = second;
     this->hasSpare = true;
     return first;
+  }
+
+  /// Three normal deviates of unit variance.
+  Vec3 normalVector()
+  {
+    const double x = this->normal();
+    const double y = this->normal();
+    return { x, y, this->normal() };
   }
 
 private:

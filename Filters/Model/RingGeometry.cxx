@@ -57,6 +57,7 @@ void requireUsable(const RingTable& table, double distance)
 TiltedDisk::TiltedDisk(const RingTable& table, double distance, SpinSense sense,
   RingInterpolation interpolation, BeyondLastRing beyond)
   : s(spinOf(table.code, sense))
+  , outflow(this->s * spinOf(table.code, SpinSense::FromCode))
   , law(table.layerLaw)
   , beyond(beyond)
 {
@@ -84,6 +85,15 @@ TiltedDisk::TiltedDisk(const RingTable& table, double distance, SpinSense sense,
     }
   }
   this->intervals.push_back(this->constant(this->finalRadius, rings.back(), kpc));
+  this->intervals.back().fastestLater = std::abs(rings.back().rotationVelocity);
+  for (std::size_t k = this->intervals.size() - 1; k > 0; --k)
+  {
+    // |rotation| has no peak between the ends of an interval.
+    Interval& before = this->intervals[k - 1];
+    const Interval& after = this->intervals[k];
+    before.fastestLater = std::max({ std::abs(before.rotation.at(after.start - before.start)),
+      std::abs(after.rotation.value), after.fastestLater });
+  }
 }
 
 TiltedDisk::Interval TiltedDisk::constant(double start, const Ring& ring, double kpc) const
@@ -93,7 +103,7 @@ TiltedDisk::Interval TiltedDisk::constant(double start, const Ring& ring, double
   interval.inclination.value = ring.inclination * degree;
   interval.positionAngle.value = ring.positionAngle * degree;
   interval.rotation.value = ring.rotationVelocity;
-  interval.expansion.value = ring.expansionVelocity;
+  interval.expansion.value = this->outflow * ring.expansionVelocity;
   interval.scaleHeight.value = kpc * std::max(0.0, ring.scaleHeight);
   interval.systemic.value = ring.systemicVelocity;
   interval.startFrame = this->frameOfAngles(interval, 0);
@@ -176,7 +186,24 @@ RingFrame TiltedDisk::frameOfGreatCircle(const Interval& interval, double x) con
 
 RingFrame TiltedDisk::frame(double r) const
 {
-  const Interval& interval = this->intervalAt(r);
+  return this->frameIn(this->intervalAt(r), r);
+}
+
+RingFrame TiltedDisk::frame(double r, std::size_t& near) const
+{
+  while (near > 0 && r < this->intervals[near].start)
+  {
+    --near;
+  }
+  while (near + 1 < this->intervals.size() && r >= this->intervals[near + 1].start)
+  {
+    ++near;
+  }
+  return this->frameIn(this->intervals[near], r);
+}
+
+RingFrame TiltedDisk::frameIn(const Interval& interval, double r) const
+{
   const double x = r - interval.start;
   RingFrame frame = interval.flat ? interval.startFrame
     : interval.greatCircle        ? this->frameOfGreatCircle(interval, x)
@@ -254,6 +281,12 @@ std::vector<double> TiltedDisk::knots() const
     knots.push_back(interval.start);
   }
   return knots;
+}
+
+double TiltedDisk::fastestRotation(double r) const
+{
+  const Interval& interval = this->intervalAt(r);
+  return std::max(std::abs(interval.rotation.at(r - interval.start)), interval.fastestLater);
 }
 
 double TiltedDisk::slowestRotation(double inner, double outer) const

@@ -5,6 +5,7 @@
 #include "Readers/Formats/RingTable.h"
 #include "Readers/Formats/Vec3.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace galaxy
@@ -42,6 +43,9 @@ double normalFocalHeight(const RingFrame& ring);
 /// the shorter way. Inside the first ring the angles are constant and the velocities fall linearly
 /// to 0 at the centre; beyond the last ring its values hold. Of rings of equal radius the later
 /// holds at and beyond it. A single ring is a flat disc with a flat rotation curve.
+/// A table's expansion velocities are outward for the spin that its own program means. What was
+/// observed is their line-of-sight part, which does not know the spin: for the other spin the near
+/// and the far side change places, and the same observation is an inflow in place of an outflow.
 /// Concentric rings without thickness never intersect, for |P| = r on each.
 class TiltedDisk
 {
@@ -54,6 +58,9 @@ public:
     BeyondLastRing beyond = BeyondLastRing::Drop);
 
   RingFrame frame(double r) const;
+  /// The same for many radii one after the other, each close to the one before: `near` is where the
+  /// last was found, 0 at first.
+  RingFrame frame(double r, std::size_t& near) const;
   Vec3 position(double r, double theta, double z = 0) const;
   Vec3 velocity(double r, double theta) const;
 
@@ -78,6 +85,8 @@ public:
   std::vector<double> knots() const;
   /// The slowest |rotation| between two radii, km/s.
   double slowestRotation(double inner, double outer) const;
+  /// The fastest |rotation| at r and anywhere beyond, km/s: it never rises with radius.
+  double fastestRotation(double r) const;
   /// +1 counter-clockwise on the sky, -1 clockwise, for inclinations below 90 degrees.
   double spin() const { return this->s; }
 
@@ -98,7 +107,8 @@ private:
     Linear expansion;
     Linear scaleHeight;
     Linear systemic;
-    bool flat = true; ///< the frame is the same throughout
+    double fastestLater = 0; ///< |rotation| at the interval's end and anywhere beyond
+    bool flat = true;        ///< the frame is the same throughout
     RingFrame startFrame;
     bool greatCircle = false; ///< the normal is n cos(omega x) + tangent sin(omega x)
     Vec3 tangent;
@@ -106,12 +116,14 @@ private:
   };
 
   const Interval& intervalAt(double r) const;
+  RingFrame frameIn(const Interval& interval, double r) const;
   RingFrame frameOfAngles(const Interval& interval, double x) const;
   RingFrame frameOfGreatCircle(const Interval& interval, double x) const;
   Interval between(const Ring& first, const Ring& second, double kpc, bool slerp) const;
   Interval constant(double start, const Ring& ring, double kpc) const;
 
   double s;
+  double outflow; ///< from the table's expansion velocities to those of this spin: 1 or -1
   LayerLaw law;
   BeyondLastRing beyond;
   double firstRadius;

@@ -27,6 +27,15 @@ struct Seeds
   std::size_t size() const { return this->radius.size(); }
 };
 
+/// Some of a component's draws.
+struct DrawRange
+{
+  std::size_t first = 0;
+  std::size_t last = 0; ///< one beyond
+  std::size_t size() const { return this->last - this->first; }
+  bool holds(std::size_t draw) const { return draw >= this->first && draw < this->last; }
+};
+
 /// Where a component on this disc ends, kpc: its own outer radius, the last ring at the latest
 /// (BeyondLastRing::HoldLast lets a component that names its radius go beyond).
 double outerRadiusOf(const ComponentDescription& component, const TiltedDisk& disk);
@@ -44,11 +53,17 @@ double outerRadiusOf(const ComponentDescription& component, const TiltedDisk& di
 ///
 /// Light: every pixel's flux in equal parts among its seeds, to rounding. With NormalizeAt::None
 /// (the paper's rule) nothing looks at how many fell on a pixel: a seed has its pixel's intensity
-/// times the mean area of a draw.
+/// times what one draw covers on the sky in the mean (ImageDriven: the flux that it stands for in
+/// the mean), so that only the total is right.
 ///
 /// Throws Error (file, component) where the component's radii hold no part of the disc.
 Seeds sampleSeeds(const TiltedDisk& disk, const ComponentDescription& component,
   const LightMap* map, const RandomKey& key, std::size_t count, const std::string& file);
+
+/// Those of the same seeds whose draws lie from `first` up to `last`: one process's part.
+Seeds sampleSeeds(const TiltedDisk& disk, const ComponentDescription& component,
+  const LightMap* map, const RandomKey& key, std::size_t count, const DrawRange& range,
+  const std::string& file);
 } // namespace galaxy
 
 #endif

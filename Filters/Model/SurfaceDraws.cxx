@@ -19,15 +19,28 @@ double stretch(const RingFrame& ring, double r, double cosTheta, double sinTheta
   return std::sqrt(1 + bend * bend);
 }
 
-/// The area between two radii over pi (outer^2 - inner^2): the mean of the stretch. Over the
-/// azimuth the sum of a smooth periodic function converges at once, over so narrow a ring three
-/// Gauss- Legendre nodes in r^2 do.
-double meanStretch(const TiltedDisk& disk, double inner2, double outer2)
+/// Area on the sky by area of the flat ring, |n_z + r kappa e_r,z|.
+double foreshortening(const RingFrame& ring, double r, double cosTheta, double sinTheta)
+{
+  const double bend = r * (ring.bendA * cosTheta + ring.bendB * sinTheta);
+  return std::abs(ring.n.z + bend * (cosTheta * ring.a.z + sinTheta * ring.b.z));
+}
+
+/// Areas over pi (outer^2 - inner^2).
+struct RingAreas
+{
+  double surface = 0;
+  double sky = 0;
+};
+
+/// The means of stretch and foreshortening between two radii. Over the azimuth the sum of a smooth
+/// periodic function converges at once, over so narrow a ring three Gauss-Legendre nodes in r^2 do.
+RingAreas areasBetween(const TiltedDisk& disk, double inner2, double outer2)
 {
   constexpr double nodes[3] = { 0.11270166537925831, 0.5, 0.88729833462074169 };
   constexpr double weights[3] = { 5 / 18.0, 8 / 18.0, 5 / 18.0 };
   constexpr int azimuths = 64;
-  double sum = 0;
+  RingAreas mean;
   for (int node = 0; node < 3; ++node)
   {
     const double r = std::sqrt(inner2 + nodes[node] * (outer2 - inner2));
@@ -35,10 +48,12 @@ double meanStretch(const TiltedDisk& disk, double inner2, double outer2)
     for (int k = 0; k < azimuths; ++k)
     {
       const auto [sine, cosine] = sineCosine(2 * pi * k / azimuths);
-      sum += weights[node] / azimuths * stretch(ring, r, cosine, sine);
+      const double weight = weights[node] / azimuths;
+      mean.surface += weight * stretch(ring, r, cosine, sine);
+      mean.sky += weight * foreshortening(ring, r, cosine, sine);
     }
   }
-  return sum;
+  return mean;
 }
 
 double bendOf(const RingFrame& ring)
@@ -73,8 +88,11 @@ SurfaceDraws::SurfaceDraws(const TiltedDisk& disk, double inner, double outer)
       const auto [least, largest] = std::minmax_element(bends, bends + 3);
       const double most = high * (*largest + 2 * (*largest - *least));
       this->rings.push_back({ low * low, high * high, std::sqrt(1 + most * most) });
-      sum += pi * (high * high - low * low) * meanStretch(disk, low * low, high * high);
+      const double flat = pi * (high * high - low * low);
+      const RingAreas mean = areasBetween(disk, low * low, high * high);
+      sum += flat * mean.surface;
       this->ends.push_back(sum);
+      this->onSky += flat * mean.sky;
     }
   }
 }

@@ -28,6 +28,8 @@ public:
   Point draw(const RandomKey& key, std::size_t index, std::size_t count) const;
   /// kpc^2
   double area() const { return this->ends.back(); }
+  /// What the surface covers on the sky, its sheets one by one, kpc^2.
+  double skyArea() const { return this->onSky; }
 
 private:
   struct Ring
@@ -40,6 +42,7 @@ private:
   const TiltedDisk& disk;
   std::vector<Ring> rings;
   std::vector<double> ends; ///< running area
+  double onSky = 0;
 };
 } // namespace galaxy
 

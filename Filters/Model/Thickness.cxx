@@ -16,15 +16,49 @@ namespace
 /// What the children of a seed have in common.
 struct Parent
 {
-  Vec3 centre;
-  Vec3 alongA; ///< what a deviate of 1 means in the plane, kpc
-  Vec3 alongB;
-  Vec3 alongN;      ///< scale height times normal, kpc
-  double below = 1; ///< share of the vertical law below the focus of the normals
-  Vec3 velocity;    ///< km/s
-  float light = 0;  ///< of each child
-  const std::uint8_t* color = nullptr;
+  RingFrame ring;
+  double r;
+  double sine, cosine; ///< of the seed's azimuth
+  double sigma;        ///< in the plane, kpc
+  double height;       ///< scale height, kpc
+  double below;        ///< share of the vertical law below the focus of the normals
+  float light;         ///< of each child
+  const std::uint8_t* color;
 };
+
+/// A place on the disc and the motion of its ring there.
+struct Foot
+{
+  Vec3 place;
+  Vec3 normal;
+  Vec3 velocity; ///< km/s
+};
+
+Foot footOf(const Parent& seed)
+{
+  const RingFrame& ring = seed.ring;
+  return { seed.r * seed.cosine * ring.a + seed.r * seed.sine * ring.b, ring.n,
+    ringVelocity(ring, seed.cosine, seed.sine) };
+}
+
+/// v, which is perpendicular to n, turned by the shortest way that takes n to m.
+Vec3 turned(const Vec3& v, const Vec3& n, const Vec3& m)
+{
+  const double along = dot(v, m) / (1 + dot(n, m));
+  return v - along * (n + m);
+}
+
+/// Displaced by the deviates u and v in the plane of the seed's ring.
+Foot footBeside(const Parent& seed, double u, double v, const TiltedDisk& disk, std::size_t& near)
+{
+  const double x = seed.r * seed.cosine + seed.sigma * u;
+  const double y = seed.r * seed.sine + seed.sigma * v;
+  const double r = std::sqrt(x * x + y * y);
+  const RingFrame own = disk.frame(r, near);
+  const Vec3 place = turned(x * seed.ring.a + y * seed.ring.b, seed.ring.n, own.n);
+  const double perRadius = r > 0 ? 1 / r : 0;
+  return { place, own.n, perRadius * (own.rotation * cross(own.n, place) + own.expansion * place) };
+}
 
 /// Seeds turned into parents.
 class ParentMaker
@@ -57,18 +91,15 @@ public:
 
   void make(std::size_t i, Parent& parent) const
   {
-    const double r = this->seeds.radius[i];
     const auto [sine, cosine] = sineCosine(this->seeds.azimuth[i]);
-    const RingFrame ring = this->disk.frame(r);
-    const double sigma = this->profile.inPlaneSigma();
-    const double height = this->profile.scaleHeight(r, ring.rotation);
     const double heirs = this->shares ? this->starts[i + 1] - this->starts[i] : 1;
-    parent.centre = r * cosine * ring.a + r * sine * ring.b;
-    parent.alongA = sigma * ring.a;
-    parent.alongB = sigma * ring.b;
-    parent.alongN = height * ring.n;
-    parent.below = shareWithin(this->law(), normalFocalHeight(ring) / height);
-    parent.velocity = ringVelocity(ring, cosine, sine);
+    parent.r = this->seeds.radius[i];
+    parent.sine = sine;
+    parent.cosine = cosine;
+    parent.ring = this->disk.frame(parent.r);
+    parent.sigma = this->profile.inPlaneSigma();
+    parent.height = this->profile.scaleHeight(parent.r, parent.ring.rotation);
+    parent.below = shareWithin(this->law(), normalFocalHeight(parent.ring) / parent.height);
     parent.light = static_cast<float>(this->lightFactor * this->seeds.light[i] / heirs);
     parent.color = &this->seeds.color[3 * i];
   }
@@ -87,9 +118,10 @@ private:
 class ChildBatch
 {
 public:
-  ChildBatch(LayerLaw law, const ComponentDescription& component, const RandomKey& key,
-    const ParticleWriter& writer)
+  ChildBatch(LayerLaw law, const TiltedDisk& disk, const ComponentDescription& component,
+    const RandomKey& key, const ParticleWriter& writer)
     : law(law)
+    , disk(disk)
     , spreads(component.thickness.sigma > 0)
     , dispersion(writer.wantsVelocity() ? component.velocityDispersion : 0)
     , key(key)
@@ -119,7 +151,7 @@ public:
         this->z[k] = below * z;
         if (this->dispersion > 0)
         {
-          this->motion[k] = this->dispersion * normalVector(motion);
+          this->motion[k] = this->dispersion * motion.normalVector();
         }
       }
     }
@@ -137,9 +169,10 @@ public:
     for (int k = 0; k < this->children; ++k)
     {
       const Parent& p = this->parent[this->owner[k]];
-      this->writer.write(this->start + k,
-        p.centre + this->u[k] * p.alongA + this->v[k] * p.alongB + this->z[k] * p.alongN, p.light,
-        p.color, p.velocity + this->motion[k]);
+      const Foot foot =
+        this->spreads ? footBeside(p, this->u[k], this->v[k], this->disk, this->near) : footOf(p);
+      this->writer.write(this->start + k, foot.place + this->z[k] * p.height * foot.normal, p.light,
+        p.color, foot.velocity + this->motion[k]);
     }
     this->children = 0;
     this->parents = 0;
@@ -159,14 +192,8 @@ private:
     }
   }
 
-  static Vec3 normalVector(Random& random)
-  {
-    const double x = random.normal();
-    const double y = random.normal();
-    return { x, y, random.normal() };
-  }
-
   LayerLaw law;
+  const TiltedDisk& disk;
   bool spreads;      ///< in the plane
   double dispersion; ///< km/s
   const RandomKey& key;
@@ -174,6 +201,7 @@ private:
   int parents = 0;
   int children = 0;
   std::uint64_t start = 0; ///< the first child's particle
+  std::size_t near = 0;    ///< see TiltedDisk::frame
   std::array<Parent, deviatesAtOnce> parent;
   std::array<int, deviatesAtOnce> owner;
   Deviates u{}, v{}, z{};
@@ -213,7 +241,7 @@ void placeChildren(const Seeds& seeds, const ParticleStarts& starts, const Tilte
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t block = 0; block < seeds.size(); block += seedsAtOnce)
   {
-    ChildBatch batch(parentOf.law(), component, key, writer);
+    ChildBatch batch(parentOf.law(), disk, component, key, writer);
     for (std::size_t i = block; i < std::min(block + seedsAtOnce, seeds.size()); ++i)
     {
       batch.add(parentOf, i);

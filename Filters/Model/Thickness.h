@@ -22,12 +22,18 @@ ParticleStarts countChildren(const Seeds& seeds, const TiltedDisk& disk,
   const ComponentDescription& component, const RandomKey& key, const std::string& file);
 
 /// Gives a flat disc of seeds its thickness. The children of a seed share its light times
-/// `lightFactor` equally (or have all of it each: ChildLight), are displaced in the plane of the
-/// seed's ring by normal deviates and along its normal by the vertical law, and move with the ring
-/// but for normal deviates of velocity_dispersion along every axis. Of the law only what lies below
-/// normalFocalHeight is used, so that layers of neighbouring rings do not cross.
-/// A child is a function of (key, its seed's draw, its number among the seed's children) and of its
-/// ring, its place whether velocities are written or not.
+/// `lightFactor` equally (or have all of it each: ChildLight).
+///
+/// A child is displaced in the plane of its seed's ring by normal deviates. Its own ring is that of
+/// the radius it then has: the plane is turned with the normal, by the shortest way, into that
+/// ring's, so that children stay on a warped disc and near their seed. From there it is displaced
+/// along the normal of its ring by the vertical law. That is the z of tilted rings, not the normal
+/// of the warped surface, (n - r kappa e_r)/sqrt(1 + (r kappa)^2) by the letters of areaElement.
+/// The law's height is that at the seed, and only what lies below normalFocalHeight there is used,
+/// so that layers of neighbouring rings do not cross. A child moves as its own ring does at its
+/// place, but for normal deviates of velocity_dispersion along every axis. It is a function of
+/// (key, its seed's draw, its number among the seed's children) and of the disc, its place whether
+/// velocities are written or not.
 void placeChildren(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
   const ComponentDescription& component, const RandomKey& key, double lightFactor,
   const ParticleWriter& writer);

@@ -13,16 +13,9 @@ constexpr double pi = 3.14159265358979323846;
 /// pc (km/s)^2 / Msun
 constexpr double G = 4.30091e-3;
 
-/// Whether the children spread alike in all directions.
-bool isIsotropic(const ThicknessDescription& thickness)
-{
-  return thickness.model == ThicknessModel::Gaussian ||
-    (thickness.model == ThicknessModel::Tapered && thickness.reading == TaperReading::Literal);
-}
-
 LayerLaw lawOf(const ThicknessDescription& thickness, const TiltedDisk& disk)
 {
-  if (isIsotropic(thickness))
+  if (thickness.model == ThicknessModel::Gaussian)
   {
     return LayerLaw::Gaussian;
   }
@@ -49,23 +42,22 @@ ThicknessProfile::ThicknessProfile(const ThicknessDescription& thickness, const 
   , disk(disk)
   , verticalLaw(lawOf(thickness, disk))
   , widthOfUnit(fwhmHeight(this->verticalLaw))
+  , widthFactor(this->velocityFactor(disk.fastestRotation(0)))
 {
 }
 
 double ThicknessProfile::scaleHeight(double r, double rotation) const
 {
-  if (isIsotropic(this->thickness))
-  {
-    return this->thickness.sigma;
-  }
   switch (this->thickness.model)
   {
+    case ThicknessModel::Gaussian:
+      return this->thickness.sigma;
     case ThicknessModel::Tapered:
       return this->thickness.taperThickness
         ? this->thickness.scaleHeight * std::exp(-r / this->thickness.scaleLength)
         : this->thickness.scaleHeight;
     case ThicknessModel::Flared:
-      return this->flaredWidth(r, rotation) / this->widthOfUnit;
+      return this->flaredWidth(r) / this->widthOfUnit;
     case ThicknessModel::Hydrostatic:
       return this->hydrostaticDispersion(r, rotation) * fwhmHeight(LayerLaw::Gaussian) /
         this->widthOfUnit;
@@ -93,7 +85,14 @@ double ThicknessProfile::childrensScaleLength() const
                                                           : this->thickness.scaleLength;
 }
 
-double ThicknessProfile::flaredWidth(double r, double rotation) const
+double ThicknessProfile::velocityFactor(double rotation) const
+{
+  return this->thickness.rotationKnown
+    ? std::pow(this->thickness.referenceVelocity / rotation, this->thickness.velocityExponent)
+    : 1;
+}
+
+double ThicknessProfile::flaredWidth(double r) const
 {
   const ThicknessDescription& t = this->thickness;
   if (!t.profileTable.empty())
@@ -103,10 +102,10 @@ double ThicknessProfile::flaredWidth(double r, double rotation) const
   const double base = r <= t.edgeRadius
     ? t.fwhmCentre + (t.fwhmEdge - t.fwhmCentre) * r / t.edgeRadius
     : t.fwhmEdge * std::exp((r - t.edgeRadius) / t.flareLength);
-  const double ratio = t.referenceVelocity / std::abs(rotation);
-  // Most discs have the paper's exponent, which pow need not be asked for.
-  const double scale = t.velocityExponent == 1 ? ratio : std::pow(ratio, t.velocityExponent);
-  const double width = scale * base;
+  const double width = base *
+    (t.velocityScaling == VelocityScaling::Maximum
+        ? this->widthFactor
+        : this->velocityFactor(this->disk.fastestRotation(r)));
   // Also where 0 width meets 0 velocity, which is NaN.
   return width < t.fwhmMaximum ? width : t.fwhmMaximum;
 }

@@ -13,13 +13,16 @@ namespace galaxy
 ///
 /// Tapered (model 2): N = N0 exp(-R/H_r), scale height H_z, or H_z exp(-R/H_r). The paper prints
 /// exp(-R/H_z), which leaves H_r without use and nearly all the disc at one child a seed:
-/// TaperReading::Literal has that, its children displaced by sigma along every axis.
+/// TaperReading::Literal has that. Its sigma_z is H_z in either reading.
 ///
 /// Flared (model 3): full width at half maximum after O'Brien, Freeman & van der Kruit 2010
 /// (linear inside the stellar disc, exponential outside, inverse to the rotation velocity):
 ///   FWHM = (v_ref/v_rot)^beta { F0 + (Fb - F0) R/Rb (R <= Rb); Fb exp((R - Rb)/L) (R > Rb) },
-/// at most F_max, which it is where v_rot = 0. Rows of (R, FWHM), as measured, replace all of it:
-/// linear between them, constant beyond.
+/// at most F_max, which it is where v_rot = 0. The relation compares galaxies, so v_rot is the
+/// disc's fastest (VelocityScaling::Maximum), or the fastest at R and beyond (Local), which lets
+/// the gas of a falling rotation curve flare more and cannot widen it inward, where every curve
+/// falls to 0. Where the rotation is not known the first factor is 1. Rows of (R, FWHM), as
+/// measured, replace all of it: linear between them, constant beyond.
 ///
 /// Hydrostatic: isothermal gas between its own sheet, the stars' disc and a spherical halo,
 ///   sigma_z = 2 sigma_g^2 / (B + sqrt(B^2 + 4 (nu_h^2 + nu_s^2) sigma_g^2)),
@@ -48,13 +51,15 @@ public:
 
 private:
   double childrensScaleLength() const;
-  double flaredWidth(double r, double rotation) const;
+  double flaredWidth(double r) const;
+  double velocityFactor(double rotation) const;
   double hydrostaticDispersion(double r, double rotation) const;
 
   ThicknessDescription thickness;
   const TiltedDisk& disk;
   LayerLaw verticalLaw;
   double widthOfUnit; ///< full width at half maximum of the law at scale height 1
+  double widthFactor; ///< of Flared for the disc's fastest rotation
 };
 } // namespace galaxy
 

@@ -1,8 +1,11 @@
 #include "Filters/Splatting/ActiveEffects.h"
 #include "Filters/Splatting/DepthOrder.h"
-#include "Filters/Splatting/TileImage.h"
+#include "Filters/Splatting/TileComposite.h"
+#include "Filters/Splatting/Tiles.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <omp.h>
@@ -11,56 +14,17 @@ namespace galaxy
 {
 namespace
 {
-template <bool hasOpaque, class Footprint>
-GALAXY_INLINE void compositeAll(const std::vector<Splat>& splats,
-  const std::vector<KeyedSlot>& order, Footprint& footprint, TileImage& tile)
-{
-  constexpr std::size_t ahead = 8;
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    __builtin_prefetch(&splats[slotOf(order[std::min(k + ahead, order.size() - 1)])]);
-    const Splat& splat = splats[slotOf(order[k])];
-    if (!footprint.prepare(splat))
-    {
-      continue;
-    }
-    if (splat.absorbs())
-    {
-      tile.template absorb<hasOpaque>(splat, footprint);
-    }
-    else
-    {
-      tile.template emit<hasOpaque>(splat, footprint);
-    }
-  }
-  tile.flush();
-}
-
-/// The inner loops, one clone per instruction set. `order` is from the farthest to the nearest.
-GALAXY_CLONES void composite(const std::vector<Splat>& splats, const std::vector<KeyedSlot>& order,
-  GaussianFootprint& footprint, bool hasOpaque, TileImage& tile)
-{
-  hasOpaque ? compositeAll<true>(splats, order, footprint, tile)
-            : compositeAll<false>(splats, order, footprint, tile);
-}
-
-GALAXY_CLONES void composite(const std::vector<Splat>& splats, const std::vector<KeyedSlot>& order,
-  SplineFootprint& footprint, bool hasOpaque, TileImage& tile)
-{
-  hasOpaque ? compositeAll<true>(splats, order, footprint, tile)
-            : compositeAll<false>(splats, order, footprint, tile);
-}
+/// Beside the particles a picture takes so many bytes for each of them, and no less than for many.
+constexpr std::size_t bytesPerParticle = 12;
+constexpr std::size_t fewestBytes = std::size_t(64) << 20;
 
 /// One thread's memory, kept from tile to tile.
 struct Workspace
 {
-  std::vector<Splat> splats;
   std::vector<KeyedSlot> order;
   std::vector<KeyedSlot> scratch;
-  TileImage tile;
-  GaussianFootprint gaussian;
-  SplineFootprint spline;
-  double seconds[3] = { 0, 0, 0 }; ///< gather, sort, composite
+  TileSums sums;
+  double seconds[2] = { 0, 0 }; ///< sort, composite
 };
 
 /// One rendering.
@@ -71,29 +35,31 @@ public:
     : projection(particles, camera_)
     , camera(camera_)
     , options(options_)
-    , grid(camera_.width, camera_.height)
   {
   }
   RenderedImage render();
 
 private:
-  void renderTiles(RenderedImage& image);
-  void renderTile(int k, Workspace& work, RenderedImage& image) const;
-  void gather(int k, Workspace& work) const;
-  void loadOpaque(int k, TileImage& tile) const;
-  void store(int k, const TileImage& tile, RenderedImage& image) const;
+  void renderBands(RenderedImage& image);
+  void renderBand(const TileDealer& dealer, RenderedImage& image);
+  void renderTile(int tile, const TileGrid& grid, Workspace& work, RenderedImage& image);
+  TileTask taskOf(int tile, Workspace& work);
+  bool proceed(std::size_t more);
+  void loadOpaque(int left, int bottom, const TileTask& task, TileSums& sums) const;
+  void store(
+    int left, int bottom, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
   void describe(RenderedImage& image) const;
-  std::vector<int> busiestFirst() const;
-  int left(int k) const { return k % this->grid.columns * tileWidth; }
-  int bottom(int k) const { return k / this->grid.columns * tileHeight; }
-  int columns(int k) const { return std::min(tileWidth, this->camera.width - this->left(k)); }
-  int rows(int k) const { return std::min(tileHeight, this->camera.height - this->bottom(k)); }
 
   Projection projection;
   Camera camera;
   const RenderOptions& options;
-  TileGrid grid;
-  TileLists lists;
+  TileBand band;
+  ProjectionCounts counts;
+  std::size_t splats = 0; ///< of all tiles
+  std::atomic<std::size_t> done{ 0 };
+  std::atomic<std::size_t> untouched{ 0 };
+  std::atomic<bool> aborted{ false };
+  double seconds[4] = { 0, 0, 0, 0 }; ///< count, project, sort, composite
 };
 
 RenderedImage Compositor::render()
@@ -104,14 +70,11 @@ RenderedImage Compositor::render()
   const std::size_t values = 3 * std::size_t(image.width) * image.height;
   image.radiance.resize(values);
   image.transmittance.resize(values, 1.0f);
-  image.aborted = this->options.progress && !this->options.progress(0);
-  if (!image.aborted)
+  if (values > 0 && this->proceed(0))
   {
-    const double start = omp_get_wtime();
-    this->lists = listByTile(this->projection, this->grid);
-    image.statistics.seconds.emplace_back("list by tile", omp_get_wtime() - start);
-    this->renderTiles(image);
+    this->renderBands(image);
   }
+  image.aborted = this->aborted;
   this->describe(image);
   if (image.aborted)
   {
@@ -121,133 +84,173 @@ RenderedImage Compositor::render()
   return image;
 }
 
-std::vector<int> Compositor::busiestFirst() const
+/// Says that so many more splats are drawn; false when the picture is not wanted any more.
+bool Compositor::proceed(std::size_t more)
 {
-  std::vector<int> tiles(this->grid.size());
-  std::iota(tiles.begin(), tiles.end(), 0);
-  const auto& first = this->lists.first;
-  std::stable_sort(tiles.begin(), tiles.end(),
-    [&](int a, int b) { return first[a + 1] - first[a] > first[b + 1] - first[b]; });
-  return tiles;
+  const std::size_t sum = this->done += more;
+  if (omp_get_thread_num() == 0 && this->options.progress)
+  {
+    const double fraction = double(sum) / double(std::max<std::size_t>(1, this->splats));
+    this->aborted = !this->options.progress(fraction);
+  }
+  return !this->aborted;
 }
 
-void Compositor::renderTiles(RenderedImage& image)
+void Compositor::renderBands(RenderedImage& image)
 {
-  const std::vector<int> tiles = this->busiestFirst();
   const double start = omp_get_wtime();
-  double seconds[3] = { 0, 0, 0 };
-  std::atomic<std::size_t> done{ 0 };
-  std::atomic<bool> aborted{ false };
+  TileDealer dealer(this->projection, this->camera, this->options.kernel);
+  this->seconds[0] = omp_get_wtime() - start;
+  this->counts = dealer.missing();
+  for (int tile = 0; tile < dealer.grid().size(); ++tile)
+  {
+    this->splats += dealer.splatsOf(tile);
+  }
+  const std::vector<int> bands =
+    dealer.bands(std::max(fewestBytes, bytesPerParticle * this->projection.size()));
+  for (std::size_t k = 0; k + 1 < bands.size() && !this->aborted; ++k)
+  {
+    const double before = omp_get_wtime();
+    dealer.deal(bands[k], bands[k + 1], this->band);
+    this->seconds[1] += omp_get_wtime() - before;
+    this->counts += this->band.counts;
+    this->renderBand(dealer, image);
+  }
+}
+
+void Compositor::renderBand(const TileDealer& dealer, RenderedImage& image)
+{
+  const double start = omp_get_wtime();
+  std::vector<int> tiles(this->band.lastTile - this->band.firstTile);
+  std::iota(tiles.begin(), tiles.end(), this->band.firstTile);
+  // Those with the most splats first, so that no thread is left with a large one at the end.
+  std::stable_sort(tiles.begin(), tiles.end(),
+    [&](int a, int b) { return dealer.splatsOf(a) > dealer.splatsOf(b); });
+  double seconds[2] = { 0, 0 };
 #pragma omp parallel
   {
-    const std::unique_ptr<Workspace> work(new Workspace); // its tile is cleared when used
+    const std::unique_ptr<Workspace> work(new Workspace); // its sums are cleared when used
 #pragma omp for schedule(dynamic, 1)
-    for (int n = 0; n < this->grid.size(); ++n)
+    for (std::size_t n = 0; n < tiles.size(); ++n)
     {
-      if (aborted)
+      if (!this->aborted && dealer.splatsOf(tiles[n]) > 0)
       {
-        continue;
-      }
-      const int k = tiles[n];
-      this->renderTile(k, *work, image);
-      done += this->lists.first[k + 1] - this->lists.first[k];
-      if (omp_get_thread_num() == 0 && this->options.progress)
-      {
-        aborted =
-          !this->options.progress(double(done) / std::max<double>(1, this->lists.first.back()));
+        this->renderTile(tiles[n], dealer.grid(), *work, image);
+        this->proceed(dealer.splatsOf(tiles[n]));
       }
     }
 #pragma omp critical
-    for (int stage = 0; stage < 3; ++stage)
+    for (int stage = 0; stage < 2; ++stage)
     {
       seconds[stage] += work->seconds[stage];
     }
   }
-  image.aborted = aborted;
   // Threads' times are shared out so that the stages add up to what the clock on the wall says.
-  const double sum = std::max(seconds[0] + seconds[1] + seconds[2], 1e-9);
+  const double sum = std::max(seconds[0] + seconds[1], 1e-9);
   const double wall = omp_get_wtime() - start;
-  const char* names[] = { "project", "sort", "composite" };
-  for (int stage = 0; stage < 3; ++stage)
-  {
-    image.statistics.seconds.emplace_back(names[stage], seconds[stage] / sum * wall);
-  }
+  this->seconds[2] += seconds[0] / sum * wall;
+  this->seconds[3] += seconds[1] / sum * wall;
 }
 
-void Compositor::renderTile(int k, Workspace& work, RenderedImage& image) const
+TileTask Compositor::taskOf(int tile, Workspace& work)
 {
-  if (this->lists.first[k] == this->lists.first[k + 1])
-  {
-    return;
-  }
-  const double start = omp_get_wtime();
-  this->gather(k, work);
-  const double gathered = omp_get_wtime();
-  if (this->lists.counts.absorbers > 0)
-  {
-    sortByKey(work.order, work.scratch);
-  }
-  const double sorted = omp_get_wtime();
-  work.tile.clear();
-  const bool hasOpaque = this->options.opaqueDepth != nullptr;
-  if (hasOpaque)
-  {
-    this->loadOpaque(k, work.tile);
-  }
-  if (this->options.kernel == Kernel::Gaussian)
-  {
-    composite(work.splats, work.order, work.gaussian, hasOpaque, work.tile);
-  }
-  else
-  {
-    composite(work.splats, work.order, work.spline, hasOpaque, work.tile);
-  }
-  this->store(k, work.tile, image);
-  work.seconds[0] += gathered - start;
-  work.seconds[1] += sorted - gathered;
-  work.seconds[2] += omp_get_wtime() - sorted;
-}
-
-void Compositor::gather(int k, Workspace& work) const
-{
-  const std::uint32_t* particles = this->lists.particles.data() + this->lists.first[k];
-  const std::size_t count = this->lists.first[k + 1] - this->lists.first[k];
-  work.splats.resize(count);
-  work.order.resize(count);
-  constexpr std::size_t ahead = 24; // particles of a tile lie far apart in memory
-  for (std::size_t slot = 0; slot < count; ++slot)
-  {
-    this->projection.prefetch(particles[std::min(slot + ahead, count - 1)]);
-    const Splat splat = this->projection.splat(particles[slot], this->left(k), this->bottom(k));
-    work.splats[slot] = splat;
-    work.order[slot] = keyedSlot(farFirstKey(splat.depth), static_cast<std::uint32_t>(slot));
-  }
-}
-
-void Compositor::loadOpaque(int k, TileImage& tile) const
-{
-  for (int y = 0; y < this->rows(k); ++y)
-  {
-    const std::size_t row = std::size_t(this->bottom(k) + y) * this->camera.width + this->left(k);
-    for (int x = 0; x < 3 * this->columns(k); ++x)
+  const int k = tile - this->band.firstTile;
+  TileTask task;
+  task.negligible = static_cast<float>(this->options.negligible);
+  task.splats = this->band.splats.data() + this->band.first[k];
+  task.count = this->band.first[k + 1] - this->band.first[k];
+  task.kernel = this->options.kernel;
+  task.hasOpaque = this->options.opaqueDepth != nullptr;
+  task.slabLight = [this](const Splat& splat) {
+    const SlabName name = SlabName::of(splat);
+    const ParticleLight light = this->projection.light(name.particle);
+    SlabLight slab;
+    for (int c = 0; c < 3; ++c)
     {
-      tile.opaque[y][x] = this->options.opaqueDepth[row + x / 3];
+      slab.e[c] = light.L[c] * name.perArea;
+      slab.t[c] = light.K[c] * name.perArea;
+    }
+    return slab;
+  };
+  work.order.resize(task.count);
+  bool absorbs = false, isColored = false;
+  for (std::size_t slot = 0; slot < task.count; ++slot)
+  {
+    const Splat& splat = task.splats[slot];
+    work.order[slot] = keyedSlot(farFirstKey(splat.depth), static_cast<std::uint32_t>(slot));
+    if (splat.kind() == SplatKind::Absorbs)
+    {
+      absorbs = true;
+      isColored |= splat.light[0] != splat.light[1] || splat.light[1] != splat.light[2];
+    }
+    else if (splat.kind() == SplatKind::Emits)
+    {
+      task.brightest = std::max({ task.brightest, splat.light[0], splat.light[1], splat.light[2] });
+    }
+    else
+    {
+      const SlabLight slab = task.slabLight(splat);
+      absorbs = true;
+      isColored |= slab.t[0] != slab.t[1] || slab.t[1] != slab.t[2];
+      task.brightest = std::max({ task.brightest, slab.e[0], slab.e[1], slab.e[2] });
     }
   }
+  task.absorption = !absorbs ? TileAbsorption::None
+    : isColored              ? TileAbsorption::Color
+                             : TileAbsorption::Grey;
+  if (absorbs)
+  {
+    sortByKey(work.order, work.scratch);
+    task.order = work.order.data();
+  }
+  return task;
 }
 
-void Compositor::store(int k, const TileImage& tile, RenderedImage& image) const
+void Compositor::renderTile(int tile, const TileGrid& grid, Workspace& work, RenderedImage& image)
 {
-  const bool absorbs = this->lists.counts.absorbers > 0;
-  for (int y = 0; y < this->rows(k); ++y)
+  const int left = tile % grid.columns * tileSide, bottom = tile / grid.columns * tileSide;
+  const double start = omp_get_wtime();
+  TileTask task = this->taskOf(tile, work);
+  task.columns = std::min(tileSide, this->camera.width - left);
+  task.rows = std::min(tileSide, this->camera.height - bottom);
+  const double sorted = omp_get_wtime();
+  work.sums.clear(task.absorption);
+  if (task.hasOpaque)
   {
-    const std::size_t row = std::size_t(this->bottom(k) + y) * this->camera.width + this->left(k);
-    for (int x = 0; x < 3 * this->columns(k); ++x)
+    this->loadOpaque(left, bottom, task, work.sums);
+  }
+  this->untouched += task.count - compositeTile(task, work.sums);
+  this->store(left, bottom, task, work.sums, image);
+  work.seconds[0] += sorted - start;
+  work.seconds[1] += omp_get_wtime() - sorted;
+}
+
+void Compositor::loadOpaque(int left, int bottom, const TileTask& task, TileSums& sums) const
+{
+  for (int y = 0; y < task.rows; ++y)
+  {
+    const std::size_t row = std::size_t(bottom + y) * this->camera.width + left;
+    std::copy_n(this->options.opaqueDepth + row, task.columns, sums.opaque[y]);
+  }
+}
+
+void Compositor::store(
+  int left, int bottom, const TileTask& task, const TileSums& sums, RenderedImage& image) const
+{
+  for (int y = 0; y < task.rows; ++y)
+  {
+    const std::size_t row = std::size_t(bottom + y) * this->camera.width + left;
+    for (int x = 0; x < task.columns; ++x)
     {
-      image.radiance[3 * row + x] = static_cast<float>(tile.light[y][x]);
-      if (absorbs)
+      for (int c = 0; c < 3; ++c)
       {
-        image.transmittance[3 * row + x] = static_cast<float>(std::exp(-tile.tau[y][x]));
+        const std::size_t k = 3 * (row + x) + c;
+        image.radiance[k] = static_cast<float>(sums.light.values[c][y][x]);
+        if (task.absorption != TileAbsorption::None)
+        {
+          const int plane = task.absorption == TileAbsorption::Grey ? 0 : c;
+          image.transmittance[k] = static_cast<float>(std::exp(-sums.tau.values[plane][y][x]));
+        }
       }
     }
   }
@@ -255,12 +258,18 @@ void Compositor::store(int k, const TileImage& tile, RenderedImage& image) const
 
 void Compositor::describe(RenderedImage& image) const
 {
-  const ProjectionCounts& counts = this->lists.counts;
-  image.statistics.drawn = counts.drawn;
-  image.statistics.culled = counts.culled;
-  image.statistics.invalid = counts.invalid;
-  image.statistics.absorbers = counts.absorbers;
-  image.statistics.activeEffects = activeEffects(counts);
+  RenderStatistics& statistics = image.statistics;
+  statistics.drawn = this->counts.drawn;
+  statistics.culled = this->counts.culled;
+  statistics.invalid = this->counts.invalid;
+  statistics.absorbers = this->counts.absorbers;
+  statistics.untouched = this->untouched;
+  statistics.activeEffects = activeEffects(this->counts);
+  const char* names[] = { "count", "project", "sort", "composite" };
+  for (int stage = 0; stage < 4; ++stage)
+  {
+    statistics.seconds.emplace_back(names[stage], this->seconds[stage]);
+  }
 }
 } // namespace
 

@@ -1,5 +1,8 @@
 #include "Filters/Splatting/Projection.h"
 
+#include "Filters/Splatting/GaussianFootprint.h"
+#include "Filters/Splatting/SplatBlock.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,18 +27,6 @@ int clampedFloor(double x, int low, int high)
   return truncated - (truncated > inRange);
 }
 } // namespace
-
-bool ParticleLight::valid() const
-{
-  // One comparison for six numbers: a sum of amounts is one, and NaN or infinity persist in it.
-  const float least = std::min({ L[0], L[1], L[2], K[0], K[1], K[2] });
-  return least >= 0 && isAmount(double(L[0]) + L[1] + L[2] + K[0] + K[1] + K[2]);
-}
-
-double ParticleLight::most() const
-{
-  return std::max({ L[0], L[1], L[2], K[0], K[1], K[2] });
-}
 
 ProjectionCounts& ProjectionCounts::operator+=(const ProjectionCounts& other)
 {
@@ -65,6 +56,7 @@ Projection::Projection(const ParticleView& particles_, const Camera& camera_)
     const ComponentInfo& info = (*this->particles.components)[k];
     Factors& factors = this->table[k];
     factors.size = info.size;
+    this->hasSizes |= info.size != 1;
     factors.brightness = static_cast<float>(info.brightness);
     factors.emission = info.absorbs ? 0 : static_cast<float>(info.brightness / 255);
     for (int c = 0; c < 3 && info.absorbs; ++c)
@@ -75,42 +67,27 @@ Projection::Projection(const ParticleView& particles_, const Camera& camera_)
   for (std::size_t k = 0; k < shown; ++k)
   {
     this->table[k].visible = (*this->particles.visible)[k];
+    this->hasHidden |= !this->table[k].visible;
   }
 }
 
-const Projection::Factors& Projection::factors(std::size_t i) const
+const float* Projection::radii(std::size_t i, int count, float* scaled) const
 {
-  const std::size_t k = this->particles.component ? this->particles.component[i] : 0;
-  return this->table[std::min(k, this->table.size() - 1)];
-}
-
-bool Projection::visible(std::size_t i) const
-{
-  return this->factors(i).visible;
+  const float* h = this->particles.smoothingLength + i;
+  if (!this->hasSizes)
+  {
+    return h;
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    scaled[k] = static_cast<float>(h[k] * this->factors(i + k).size);
+  }
+  return scaled;
 }
 
 double Projection::radius(std::size_t i) const
 {
   return this->particles.smoothingLength[i] * this->factors(i).size;
-}
-
-ParticleLight Projection::light(std::size_t i) const
-{
-  const ParticleView& p = this->particles;
-  const Factors& f = this->factors(i);
-  const float I = p.intensity ? p.intensity[i] : 0;
-  ParticleLight light;
-  for (int c = 0; c < 3; ++c)
-  {
-    const int color = p.color ? p.color[3 * i + c] : 255;
-    light.L[c] = p.emission
-      ? f.brightness * p.emission[this->emissionStride * i + this->emissionStep * c]
-      : f.emission * I * color;
-    light.K[c] = p.absorption
-      ? f.brightness * p.absorption[this->absorptionStride * i + this->absorptionStep * c]
-      : f.absorption[c] * I;
-  }
-  return light;
 }
 
 bool Projection::valid(std::size_t i, const ParticleLight& light) const
@@ -120,7 +97,7 @@ bool Projection::valid(std::size_t i, const ParticleLight& light) const
     isAmount(this->radius(i)) && light.valid();
 }
 
-Projection::Place Projection::place(std::size_t i) const
+Projection::Place Projection::placeOf(std::size_t i) const
 {
   const Camera& c = this->camera;
   const float* p = this->particles.position + 3 * i;
@@ -134,19 +111,7 @@ Projection::Place Projection::place(std::size_t i) const
   return place;
 }
 
-void Projection::prefetch(std::size_t i) const
-{
-  const ParticleView& p = this->particles;
-  __builtin_prefetch(p.position + 3 * i);
-  __builtin_prefetch(p.smoothingLength + i);
-  __builtin_prefetch(p.emission ? p.emission + this->emissionStride * i : p.intensity + i);
-  __builtin_prefetch(p.absorption ? p.absorption + this->absorptionStride * i : p.intensity + i);
-  __builtin_prefetch(p.color + 3 * i);
-  __builtin_prefetch(p.component + i);
-}
-
-__attribute__((flatten)) PixelBox Projection::classify(
-  std::size_t i, ProjectionCounts& counts) const
+PixelBox Projection::classify(std::size_t i, ProjectionCounts& counts) const
 {
   const ParticleLight light = this->light(i);
   if (!this->valid(i, light))
@@ -154,11 +119,11 @@ __attribute__((flatten)) PixelBox Projection::classify(
     ++counts.invalid;
     return {};
   }
-  const Place p = this->place(i);
+  const Place p = this->placeOf(i);
   PixelBox box;
   const bool absorbs = light.absorbs();
   // Luminosity per pixel area must stay finite in float.
-  const bool finite = p.ratio > 0 && light.most() * p.ratio * p.ratio < 1e37;
+  const bool finite = p.ratio > 0 && double(light.most()) * p.ratio * p.ratio < 1e37;
   if (finite && this->visible(i) && (absorbs || light.emits()))
   {
     box.x0 = clampedFloor(p.x - p.h, 0, this->camera.width);
@@ -178,25 +143,16 @@ __attribute__((flatten)) PixelBox Projection::classify(
   return box;
 }
 
-__attribute__((flatten)) Splat Projection::splat(std::size_t i, int x, int y) const
+void Projection::place(std::size_t i, Kernel kernel, SplatBlock& block, int k) const
 {
-  const Place p = this->place(i);
-  const ParticleLight light = this->light(i);
-  Splat splat;
-  splat.column = clampedFloor(p.x, -farPixel, farPixel);
-  splat.row = clampedFloor(p.y, -farPixel, farPixel);
-  splat.x = static_cast<float>(p.x - splat.column);
-  splat.y = static_cast<float>(p.y - splat.row);
-  splat.column -= x;
-  splat.row -= y;
-  splat.h = static_cast<float>(std::min(p.h, 1e15));
-  splat.depth = static_cast<float>(this->camera.parallel ? p.seen.z : length(p.seen));
-  const float perPixel = static_cast<float>(p.ratio * p.ratio);
-  for (int c = 0; c < 3; ++c)
-  {
-    splat.e[c] = light.L[c] * perPixel;
-    splat.t[c] = light.K[c] * perPixel;
-  }
-  return splat;
+  const Place p = this->placeOf(i);
+  block.column[k] = clampedFloor(p.x, -farPixel, farPixel);
+  block.row[k] = clampedFloor(p.y, -farPixel, farPixel);
+  block.x[k] = static_cast<float>(p.x - block.column[k]);
+  block.y[k] = static_cast<float>(p.y - block.row[k]);
+  block.h[k] = static_cast<float>(std::min(p.h, 1e15));
+  block.depth[k] = static_cast<float>(this->camera.parallel ? p.seen.z : length(p.seen));
+  const double gain = kernel == Kernel::Gaussian ? gaussianGain(p.h) : 1;
+  block.perArea[k] = static_cast<float>(gain * p.ratio * p.ratio);
 }
 } // namespace galaxy

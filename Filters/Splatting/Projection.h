@@ -3,30 +3,38 @@
 
 #include "Filters/Splatting/Render.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace galaxy
 {
+struct SplatBlock;
+
 /// What a particle emits and absorbs, per channel.
 struct ParticleLight
 {
   float L[3]; ///< luminosity
   float K[3]; ///< absorption cross-section, kpc^2
-  bool valid() const;
-  double most() const; ///< the largest of the six
+  /// Finite and nothing negative.
+  bool valid() const
+  {
+    // NaN fails every comparison, and infinity is larger than any number.
+    bool is = true;
+    for (int c = 0; c < 3; ++c)
+    {
+      is &= this->L[c] >= 0 && this->L[c] <= std::numeric_limits<float>::max();
+      is &= this->K[c] >= 0 && this->K[c] <= std::numeric_limits<float>::max();
+    }
+    return is;
+  }
+  /// The largest of the six.
+  float most() const
+  {
+    return std::max({ this->L[0], this->L[1], this->L[2], this->K[0], this->K[1], this->K[2] });
+  }
   bool emits() const { return this->L[0] > 0 || this->L[1] > 0 || this->L[2] > 0; }
   bool absorbs() const { return this->K[0] > 0 || this->K[1] > 0 || this->K[2] > 0; }
   bool grey() const { return this->K[0] == this->K[1] && this->K[1] == this->K[2]; }
-};
-
-/// A particle on the image plane, ready to be composited.
-struct Splat
-{
-  int column, row; ///< the pixel that holds the centre, counted from the corner of the tile
-  float x, y;      ///< the centre in it, 0 to 1: float then has digits for the smallest particle
-  float h;         ///< radius of the footprint, pixels
-  float depth;     ///< kpc: distance (perspective) or depth (parallel)
-  float e[3];      ///< luminosity / (pixel area at the particle in kpc^2)
-  float t[3];      ///< cross-section / (pixel area at the particle in kpc^2)
-  bool absorbs() const { return this->t[0] > 0 || this->t[1] > 0 || this->t[2] > 0; }
 };
 
 /// Pixels x0 <= x < x1, y0 <= y < y1.
@@ -59,14 +67,34 @@ public:
   /// counts it falls.
   PixelBox classify(std::size_t i, ProjectionCounts& counts) const;
 
-  /// A particle that classify() wants drawn, relative to the lower left corner (x, y) of a tile.
-  Splat splat(std::size_t i, int x, int y) const;
+  /// The place of particle i, as projectBlock gives it.
+  void place(std::size_t i, Kernel kernel, SplatBlock& block, int k) const;
 
-  /// Asks for particle i's data ahead of its use.
-  void prefetch(std::size_t i) const;
+  const float* position(std::size_t i) const { return this->particles.position + 3 * i; }
+
+  /// The smoothing lengths drawn of particles i and on, kpc: in place, or in `scaled` where
+  /// components have factors.
+  const float* radii(std::size_t i, int count, float* scaled) const;
 
   /// What particle i emits and absorbs as drawn: overrides and component factors applied.
-  ParticleLight light(std::size_t i) const;
+  ParticleLight light(std::size_t i) const
+  {
+    const ParticleView& p = this->particles;
+    const Factors& f = this->factors(i);
+    const float I = p.intensity ? p.intensity[i] : 0;
+    ParticleLight light;
+    for (int c = 0; c < 3; ++c)
+    {
+      const int color = p.color ? p.color[3 * i + c] : 255;
+      light.L[c] = p.emission
+        ? f.brightness * p.emission[this->emissionStride * i + this->emissionStep * c]
+        : f.emission * I * color;
+      light.K[c] = p.absorption
+        ? f.brightness * p.absorption[this->absorptionStride * i + this->absorptionStep * c]
+        : f.absorption[c] * I;
+    }
+    return light;
+  }
 
   /// The smoothing length drawn, kpc.
   double radius(std::size_t i) const;
@@ -74,8 +102,8 @@ public:
   /// False for what has no place or size, or light below nothing.
   bool valid(std::size_t i, const ParticleLight& light) const;
 
-  /// Whether the particle's component exists and is shown.
-  bool visible(std::size_t i) const;
+  /// Whether the particle's component is shown.
+  bool visible(std::size_t i) const { return !this->hasHidden || this->factors(i).visible; }
 
 private:
   /// Double precision, since a camera may be megaparsecs from the origin.
@@ -86,7 +114,7 @@ private:
     double x, y;  ///< pixels
     double h;     ///< pixels
   };
-  Place place(std::size_t i) const;
+  Place placeOf(std::size_t i) const;
 
   /// A component's part of the light, with everything that does not differ between its particles
   /// multiplied together.
@@ -98,11 +126,17 @@ private:
     float absorption[3] = { 0, 0, 0 }; ///< per unit of Intensity; 0 for emitters
     bool visible = true;
   };
-  const Factors& factors(std::size_t i) const;
+  const Factors& factors(std::size_t i) const
+  {
+    const std::size_t k = this->particles.component ? this->particles.component[i] : 0;
+    return this->table[std::min(k, this->table.size() - 1)];
+  }
 
   ParticleView particles;
   Camera camera;
   std::vector<Factors> table;
+  bool hasSizes = false;  ///< some component's size is not 1
+  bool hasHidden = false; ///< some component is not shown
   /// Floats from one particle to the next and from one channel to the next.
   std::size_t emissionStride, emissionStep, absorptionStride, absorptionStep;
 };

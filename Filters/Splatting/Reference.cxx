@@ -1,5 +1,6 @@
 #include "Filters/Splatting/ActiveEffects.h"
-#include "Filters/Splatting/CubicSpline.h"
+#include "Filters/Splatting/FootprintShare.h"
+#include "Filters/Splatting/GaussianFootprint.h"
 #include "Filters/Splatting/OpticalModel.h"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ struct Disc
 };
 
 /// The particle's place straight from the definition of the camera; false behind the eye.
-bool project(
-  const Vec3& position, double radius, const ParticleLight& light, const Camera& camera, Disc& disc)
+bool project(const Vec3& position, double radius, const ParticleLight& light, const Camera& camera,
+  Kernel kernel, Disc& disc)
 {
   const Vec3 d = position - camera.eye;
   const double along = dot(d, camera.forward);
@@ -32,55 +33,14 @@ bool project(
   disc.y = camera.centerY + pixelsPerKpc * dot(d, camera.up);
   disc.h = pixelsPerKpc * radius;
   disc.depth = camera.parallel ? along : length(d);
+  const double gain = kernel == Kernel::Gaussian ? gaussianGain(disc.h) : 1;
+  const double perArea = gain * pixelsPerKpc * pixelsPerKpc;
   for (int c = 0; c < 3; ++c)
   {
-    disc.e[c] = light.L[c] * pixelsPerKpc * pixelsPerKpc;
-    disc.t[c] = light.K[c] * pixelsPerKpc * pixelsPerKpc;
+    disc.e[c] = light.L[c] * perArea;
+    disc.t[c] = light.K[c] * perArea;
   }
   return true;
-}
-
-/// The share of a Gaussian disc's light in pixel (i, j), see GaussianFootprint.
-double gaussianShare(const Disc& disc, int i, int j)
-{
-  const double h = std::max(disc.h, 1e-4);
-  const double sigma = h / 3;
-  const double gapX = std::max({ i - disc.x, disc.x - (i + 1), 0.0 });
-  const double gapY = std::max({ j - disc.y, disc.y - (j + 1), 0.0 });
-  if (gapX * gapX + gapY * gapY >= h * h)
-  {
-    return 0;
-  }
-  const double across = std::erf((i + 1 - disc.x) / sigma) - std::erf((i - disc.x) / sigma);
-  const double along = std::erf((j + 1 - disc.y) / sigma) - std::erf((j - disc.y) / sigma);
-  const double edge = (h + 2 / M_PI) / sigma;
-  return 0.25 * across * along / (1 - std::exp(-edge * edge));
-}
-
-/// The share of a spline disc's light in pixel (i, j), see SplineFootprint.
-double splineShare(const Disc& disc, int i, int j)
-{
-  const double h = std::max(disc.h, 1e-3);
-  const int n = static_cast<int>(std::ceil(std::max(1.0, 4 / h)));
-  const int x0 = std::max(0, static_cast<int>((disc.x - h - i) * n) - 1);
-  const int x1 = std::min(n, static_cast<int>((disc.x + h - i) * n) + 2);
-  const int y0 = std::max(0, static_cast<int>((disc.y - h - j) * n) - 1);
-  const int y1 = std::min(n, static_cast<int>((disc.y + h - j) * n) + 2);
-  const double gauss = 1 / std::sqrt(12.0);
-  double sum = 0;
-  for (int y = y0; y < y1; ++y)
-  {
-    for (int x = x0; x < x1; ++x)
-    {
-      for (int corner = 0; corner < 4; ++corner)
-      {
-        const double dx = i + (x + 0.5 + (corner & 1 ? gauss : -gauss)) / n - disc.x;
-        const double dy = j + (y + 0.5 + (corner & 2 ? gauss : -gauss)) / n - disc.y;
-        sum += projectedCubicSpline(std::hypot(dx, dy) / h);
-      }
-    }
-  }
-  return sum / (4.0 * n * n * h * h);
 }
 
 /// Light and optical depth of the whole image.
@@ -105,8 +65,7 @@ void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& option
       {
         continue;
       }
-      const double G =
-        options.kernel == Kernel::Gaussian ? gaussianShare(disc, i, j) : splineShare(disc, i, j);
+      const double G = footprintShare(options.kernel, disc.x, disc.y, disc.h, i, j);
       for (int c = 0; c < 3; ++c)
       {
         double& I = sums.I[3 * pixel + c];
@@ -118,7 +77,7 @@ void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& option
 }
 
 std::vector<Disc> visibleDiscs(
-  const ParticleView& particles, const Camera& camera, ProjectionCounts& counts)
+  const ParticleView& particles, const Camera& camera, Kernel kernel, ProjectionCounts& counts)
 {
   const Projection projection(particles, camera);
   std::vector<Disc> discs;
@@ -130,7 +89,8 @@ std::vector<Disc> visibleDiscs(
     }
     const float* p = particles.position + 3 * i;
     Disc disc;
-    if (project({ p[0], p[1], p[2] }, projection.radius(i), projection.light(i), camera, disc))
+    if (project(
+          { p[0], p[1], p[2] }, projection.radius(i), projection.light(i), camera, kernel, disc))
     {
       discs.push_back(disc);
     }
@@ -147,7 +107,7 @@ RenderedImage renderReference(
   ProjectionCounts counts;
   const std::size_t values = 3 * std::size_t(camera.width) * camera.height;
   Sums sums{ std::vector<double>(values), std::vector<double>(values) };
-  for (const Disc& disc : visibleDiscs(particles, camera, counts))
+  for (const Disc& disc : visibleDiscs(particles, camera, options.kernel, counts))
   {
     addDisc(disc, camera, options, sums);
   }

@@ -40,10 +40,24 @@ struct ParticleView
   const std::vector<bool>* visible = nullptr;             ///< per component; null: all
 };
 
+/// What is computed of the optical model.
+enum class Accuracy
+{
+  Overlapping, ///< overlapping particles share their path: the transfer integral by depth slices
+  Sorted,      ///< one slab a particle, in strict order of the centres
+};
+
 /// How to draw; none of it changes what the particles are.
 struct RenderOptions
 {
   Kernel kernel = Kernel::Gaussian;
+  Accuracy accuracy = Accuracy::Sorted;
+  /// Overlapping: slices to the sigma (a third of the smoothing length) of the smallest absorber
+  /// in a tile; the error falls with their square.
+  double slices = 4;
+  /// What is fainter over a whole pixel is never seen, luminosity per kpc^2: behind dust, drawing
+  /// ends where no more can come. 0: it ends where exactly nothing comes.
+  double negligible = 0;
   /// Per pixel, the distance (perspective) or depth (parallel) in kpc of opaque geometry; what
   /// lies behind it is not seen. Null: nothing opaque.
   const float* opaqueDepth = nullptr;
@@ -58,6 +72,8 @@ struct RenderStatistics
   std::size_t culled = 0;    ///< off the image, behind the camera, hidden or without effect
   std::size_t invalid = 0;   ///< NaN, infinite or negative where that has no meaning
   std::size_t absorbers = 0; ///< of those drawn
+  std::size_t untouched = 0; ///< splats in tiles behind what lets no light through
+  double thickest = 0;       ///< the largest optical depth through the middle of one particle
   std::vector<std::pair<std::string, double>> seconds; ///< by stage
   std::string activeEffects;                           ///< what the scene called for, in words
 };
@@ -74,14 +90,27 @@ struct RenderedImage
   RenderStatistics statistics;
 };
 
+/// Draws at the level that the options name.
+RenderedImage render(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
+
 /// Accuracy level `Sorted`, the paper's model: one slab a particle, in strict order of the centres'
 /// distance (parallel projection: depth; ties by index), every particle and channel, by the update
 /// I <- I exp(-t) + e phi(t). Identical for any number of threads.
 RenderedImage renderSorted(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
 
-/// The same picture in double precision, particle by particle over whole footprints, without
-/// tiles or tables: what renderSorted is tested against. For small scenes.
+/// Accuracy level `Overlapping`: particles that overlap share their path. With rho the particles'
+/// profiles along a pixel's ray, Gaussians of sigma = h/3 about the point of the ray nearest to the
+/// centre (for CubicSpline those of the same variance),
+///   I = int E(x) exp(-int_x^observer A) dx,  E = sum e_p rho_p,  A = sum t_p rho_p,
+/// by slices of depth in each of which emission and absorption are mixed evenly: slices of uniform
+/// thickness in a tile, whose error falls with the square of that. Double precision.
+RenderedImage renderOverlapping(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
+
+/// The same picture as renderSorted's in double precision, particle by particle over whole
+/// footprints, without tiles or tables: what renderSorted is tested against. For small scenes.
 RenderedImage renderReference(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
 } // namespace galaxy

@@ -2,6 +2,8 @@
 #define galaxy_Tiles_h
 
 #include "Filters/Splatting/Projection.h"
+#include "Filters/Splatting/Splat.h"
+#include "Filters/Splatting/TileSums.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,36 +11,64 @@
 
 namespace galaxy
 {
-/// Pixels of a tile: its float sums then stay in the second cache of a core, and a wide footprint
-/// is prepared for few tiles.
-constexpr int tileWidth = 64;
-constexpr int tileHeight = 64;
-
 /// The tiles that cover an image, row by row from the lower left one.
 struct TileGrid
 {
   int columns = 0;
   int rows = 0;
   TileGrid(int width, int height)
-    : columns((width + tileWidth - 1) / tileWidth)
-    , rows((height + tileHeight - 1) / tileHeight)
+    : columns((width + tileSide - 1) / tileSide)
+    , rows((height + tileSide - 1) / tileSide)
   {
   }
   int size() const { return this->columns * this->rows; }
 };
 
-/// Which particles touch which tile: those of tile k, in the order of their index, are
-/// `particles[first[k]]` to `particles[first[k + 1] - 1]`.
-struct TileLists
+/// The splats of consecutive tiles.
+struct TileBand
 {
-  std::vector<std::size_t> first;
-  Buffer<std::uint32_t> particles;
-  ProjectionCounts counts;
+  int firstTile = 0;
+  int lastTile = 0; ///< one beyond
+  bool has(int tile) const { return tile >= this->firstTile && tile < this->lastTile; }
+  std::vector<std::size_t> first; ///< of each tile's splats, and of those after the last
+  Buffer<Splat> splats;           ///< tile after tile, in a tile by the particles' index
+  ProjectionCounts counts;        ///< of the particles that have a splat here
 };
 
-/// Projects every particle and lists it in the tiles its footprint touches; the lists are the same
-/// for any number of threads. Throws Error if there are more particles than 32 bits can number.
-TileLists listByTile(const Projection& projection, const TileGrid& grid);
+/// Deals the particles of a picture to its tiles, as many tiles at a time as fit into memory.
+class TileDealer
+{
+public:
+  /// Projects every particle and counts the splats of every tile. Throws Error if there are more
+  /// particles than 32 bits can number.
+  TileDealer(const Projection& projection, const Camera& camera, Kernel kernel);
+
+  /// Ranges of tiles of which each holds no more splats than `bytes` have room for (one tile at
+  /// least), as the tiles where each begins, and the number of tiles.
+  std::vector<int> bands(std::size_t bytes);
+
+  /// The splats of the tiles from `firstTile` to `lastTile`; the same for any number of threads.
+  /// Splats are written over those of the band before, whose memory is used again.
+  void deal(int firstTile, int lastTile, TileBand& band) const;
+
+  const TileGrid& grid() const { return this->tiles; }
+  std::size_t splatsOf(int tile) const { return this->totals[tile]; }
+  /// Particles that are nowhere: off the image, behind the eye or hidden, and invalid ones.
+  const ProjectionCounts& missing() const { return this->absent; }
+
+private:
+  class Share;
+
+  const Projection& projection;
+  Camera camera;
+  Kernel kernel;
+  TileGrid tiles;
+  Buffer<std::uint32_t> home; ///< the tile of every particle, or one of those below
+  std::vector<std::vector<std::uint32_t>> counts; ///< by share and tile
+  std::vector<std::size_t> totals;                ///< by tile
+  ProjectionCounts absent;
+  std::size_t largestBand = 0; ///< splats of the largest that bands() made
+};
 } // namespace galaxy
 
 #endif

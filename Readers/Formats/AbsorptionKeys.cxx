@@ -102,6 +102,26 @@ void applyExtinction(const Section& section, C& component)
   }
 }
 
+/// With these calibrations the image itself tells the depth: no clipped intensity comes between.
+void checkCalibratedLayer(const Section& section, const C& component)
+{
+  section.requireFor(
+    "optical_depth", false, "calibration = \"Given\" or \"FaceOn\": else the image tells it");
+  if (!usesImages(component) || component.layers.size() != 1)
+  {
+    section.failAt("calibration", "needs a disk with one layer, the image that is calibrated");
+  }
+  for (const char* key : { "clip", "clip_percentile", "stretch" })
+  {
+    if (const toml::node* node = section.table["layers"][0][key].node())
+    {
+      KeyValue(section.file, key, *node)
+        .fail("contradicts calibration = \"" + calibrations[int(component.depth.calibration)] +
+          "\", which takes the image's values as they are");
+    }
+  }
+}
+
 void checkDepth(const Section& section, const C& component)
 {
   const DepthCalibration calibration = component.depth.calibration;
@@ -118,16 +138,23 @@ void checkDepth(const Section& section, const C& component)
   section.requireFor("dust_temperature", isWarm, "calibration = \"Dust250um\"");
   section.requireFor("v_over_250um", isWarm, "calibration = \"Dust250um\"");
   section.requireFor("calibration", component.role == ComponentRole::Absorbs, "role = \"Absorbs\"");
-  if (!(isPah || isGas || isWarm))
+  if (isPah || isGas || isWarm)
   {
-    return;
+    checkCalibratedLayer(section, component);
   }
-  section.requireFor(
-    "optical_depth", false, "calibration = \"Given\" or \"FaceOn\": else the image tells it");
-  if (component.type != ComponentType::Disk || component.profile != DiskProfile::Images ||
-    component.layers.size() != 1)
+  else if (calibration == DepthCalibration::FaceOn && component.type != ComponentType::Disk)
   {
-    section.failAt("calibration", "needs a disk with one layer, the image that is calibrated");
+    section.failAt("calibration", "\"FaceOn\" is the depth across a disk: needs type = \"Disk\"");
+  }
+}
+
+/// A section that the component's particles would be made without.
+void checkSections(const Section& section, const C& component)
+{
+  section.requireFor("dust", component.type == ComponentType::Disk, "type = \"Disk\"");
+  if (section.has("dust") && section.has("thickness"))
+  {
+    section.failAt("thickness", "contradicts [component.dust]: give one or the other");
   }
 }
 
@@ -156,7 +183,8 @@ Keys<C> absorptionKeys()
       "[\"R\", \"V\", \"B\"]", "What red, green and blue stand for, for the law.", readBands },
     choiceKey<C>("calibration", ofDepth(&D::calibration), calibrations,
       "Of an absorber: where its depth comes from: optical_depth at intensity 1, along the line of "
-      "sight or across the disk; an 8 um image, in proportion; hydrogen; dust emission at 250 um."),
+      "sight (across the disk with profile Exponential) or across the disk; an 8 um image, in "
+      "proportion; hydrogen; dust emission at 250 um. Of the last three threshold is a depth."),
     numberKey<C>("reference_optical_depth", ofDepth(&D::referenceDepth), Range::notNegative(), "",
       "Of PAH8um: mean depth in V along the line of sight within reference_radius."),
     withDefault(numberKey<C>("reference_radius", ofDepth(&D::referenceRadius), Range::positive(),
@@ -175,7 +203,8 @@ Keys<C> absorptionKeys()
     numberKey<C>("v_over_250um", ofDepth(&D::extinctionOver250um), Range::positive(), "",
       "Of Dust250um: the dust's extinction in V over its absorption at 250 um."),
     textKey<C>("deredden", &C::deredden,
-      "Of an emitter: the absorbing component whose dust the images show it behind, to be undone."),
+      "Of an emitter with layers: the absorber with layers, a disk, whose dust the images show it "
+      "behind, to be undone."),
     choiceKey<C>("dust_geometry", &C::dustGeometry, { "Sheet", "Mixed" },
       "Of deredden: a thin sheet of dust halfway through the light, or both mixed evenly."),
   };
@@ -186,8 +215,10 @@ void finishAbsorption(const std::string& file, const toml::table& table, C& comp
   const Section section{ file, table };
   applyExtinction(section, component);
   checkDepth(section, component);
+  checkSections(section, component);
   section.requireFor(
     "deredden", component.role == ComponentRole::Emits, "role = \"Emits\": light to deredden");
+  section.requireFor("deredden", usesImages(component), "a disk with layers: light of images");
   section.requireFor("dust_geometry", !component.deredden.empty(), "deredden");
 }
 
@@ -200,7 +231,7 @@ void checkAbsorption(const toml::table& root, const GalaxyDescription& galaxy)
   }
   for (const C& component : galaxy.components)
   {
-    if (component.role == ComponentRole::Absorbs)
+    if (component.role == ComponentRole::Absorbs && usesImages(component))
     {
       absorbers.push_back(component.name);
     }
@@ -215,7 +246,7 @@ void checkAbsorption(const toml::table& root, const GalaxyDescription& galaxy)
     if (!dust.empty() && std::find(absorbers.begin(), absorbers.end(), dust) == absorbers.end())
     {
       section.failAt("deredden",
-        "there is no component '" + dust + "' that absorbs" + suggestion(dust, absorbers));
+        "there is no disk '" + dust + "' that absorbs by its layers" + suggestion(dust, absorbers));
     }
   }
 }

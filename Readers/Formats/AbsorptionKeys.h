@@ -9,8 +9,8 @@ namespace galaxy
 /// dust an image of light is already reddened by.
 Keys<ComponentDescription> absorptionKeys();
 
-/// What holds between them in one component; sets `absorption` from the law of extinction. Throws
-/// Error naming the keys.
+/// What holds between them in one component, and between its sections; sets `absorption` from the
+/// law of extinction. Throws Error naming the keys.
 void finishAbsorption(
   const std::string& file, const toml::table& table, ComponentDescription& component);
 

@@ -7,18 +7,6 @@ namespace
 {
 constexpr const char* rgb = "red, green, blue in linear light";
 
-/// A section that is read into a member of the component.
-template <class Part>
-Key<ComponentDescription> partKey(
-  const char* name, Part ComponentDescription::*part, const Keys<Part>& (*keys)())
-{
-  return sectionKey<ComponentDescription>(
-    name, [=](const KeyValue& value, ComponentDescription& out) {
-      readTable(
-        value.file, std::string("[component.") + name + "]", value.table(), keys(), out.*part);
-    });
-}
-
 void readLayers(const KeyValue& value, ComponentDescription& out)
 {
   for (const toml::table* table : value.tables())
@@ -165,7 +153,8 @@ const Keys<ComponentDescription>& componentKeys()
         "Of an absorber: absorption relative to V."),
       numberKey<C>("velocity_dispersion", &C::velocityDispersion, Range::notNegative(), "km/s",
         "Random motion of the particles of a disk or a spheroid along every axis."),
-      partKey("thickness", &C::thickness, &thicknessKeys),
+      sectionKey<C>(
+        "thickness", [](const KeyValue& value, C& out) { readThickness(value, out.thickness); }),
       sectionKey<C>("smoothing", readSmoothing),
       sectionKey<C>("dust", readDust),
       sectionKey<C>(
@@ -190,17 +179,25 @@ ComponentDescription readComponent(const std::string& file, const toml::table& t
   {
     failAt("outer_radius", "must be greater than inner_radius");
   }
-  if (component.type == ComponentType::Disk && component.profile == DiskProfile::Images &&
-    component.layers.empty())
+  const bool hasImages =
+    component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
+  if (hasImages && component.layers.empty())
   {
     failAt("layers", "missing: a disk needs layers, or profile = \"Exponential\"");
   }
+  if (hasImages && !component.hasDust && component.normalizeAt == NormalizeAt::Child &&
+    component.thickness.childLight == ChildLight::Inherit)
+  {
+    KeyValue(file, "child_light", *table["thickness"]["child_light"].node())
+      .fail("\"Inherit\" does nothing where a pixel's particles share its flux: it needs "
+            "normalize_at = \"Seed\" or \"None\"");
+  }
   finishAbsorption(file, table, component);
-  if (table.contains("smoothing") && table.contains("smoothing_length"))
+  if (table.contains("smoothing") && table["smoothing_length"].value_or(0.0) > 0)
   {
     failAt("smoothing_length", "contradicts [component.smoothing]: give one or the other");
   }
-  if (component.automaticCount && component.layers.empty())
+  if (component.automaticCount && !hasImages)
   {
     failAt("particles", "\"Auto\" counts by the images of a disk: this component needs a number");
   }

@@ -34,7 +34,9 @@ const Number numbers[] = {
   { "hurst", &D::hurst, Range::from(0, 2), "",
     "Of Fractal: H; each scale is weaker than the one before by lacunarity^-H." },
   { "contrast", &D::contrast, Range::from(0, 5), "",
-    "Of Fractal: s; the density is exp(s g) over its mean, g the noise of unit variance." },
+    "Of Fractal: s; the density goes as exp(s g), g the noise of unit variance. With normalize_at "
+    "Child, clouds wider than a pixel do not show from Earth: there every pixel has its own "
+    "depth." },
   { "noise_scale", &D::noiseScale, Range::from(1e-3, 1e3), "kpc",
     "Of Fractal: size of the largest structure." },
   { "winding", &D::winding, Range::from(-100, 100), "",

@@ -36,24 +36,26 @@ void checkLayers(const toml::table& root, const GalaxyDescription& galaxy)
     }
   }
 }
-/// A spheroid can take its light from a disk that the file declares only.
+
+/// A spheroid can take its light only from a disk whose images the file names.
 void checkLightSources(const toml::table& root, const GalaxyDescription& galaxy)
 {
-  std::vector<std::string> disks;
+  std::vector<std::string> sources;
   for (const ComponentDescription& component : galaxy.components)
   {
-    if (component.type == ComponentType::Disk)
+    if (usesImages(component) && component.role == ComponentRole::Emits)
     {
-      disks.push_back(component.name);
+      sources.push_back(component.name);
     }
   }
   for (std::size_t c = 0; c < galaxy.components.size(); ++c)
   {
     const std::string& name = galaxy.components[c].spheroid.lightFrom;
-    if (!name.empty() && std::find(disks.begin(), disks.end(), name) == disks.end())
+    if (!name.empty() && std::find(sources.begin(), sources.end(), name) == sources.end())
     {
       KeyValue(galaxy.file, "light_from", *root["component"][c]["spheroid"]["light_from"].node())
-        .fail("there is no component '" + name + "' of type Disk" + suggestion(name, disks));
+        .fail("there is no component '" + name + "' of type Disk that emits the light of layers" +
+          suggestion(name, sources));
     }
   }
 }
@@ -84,6 +86,7 @@ GalaxyDescription parseGalaxyDescription(const std::string& text, const std::str
   checkAbsorption(root, galaxy);
   checkLightSources(root, galaxy);
   readSpheroidTables(galaxy);
+  noteRotation(root, galaxy);
   return galaxy;
 }
 

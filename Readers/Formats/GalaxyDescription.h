@@ -76,7 +76,12 @@ enum class ThicknessModel
 enum class TaperReading
 {
   RadialScale, ///< children as exp(-R/H_r), scale height H_z
-  Literal, ///< the paper's formula: children as exp(-R/H_z), displaced by sigma alike all around
+  Literal,     ///< the paper's formula: children as exp(-R/H_z), scale height H_z too
+};
+enum class VelocityScaling
+{
+  Maximum, ///< by the fastest rotation of the disc
+  Local,   ///< by the fastest rotation at R and beyond
 };
 enum class ChildLight
 {
@@ -109,7 +114,7 @@ enum class ExtinctionLaw
 };
 enum class DepthCalibration
 {
-  Given,     ///< optical_depth times intensity, along the line of sight
+  Given,     ///< optical_depth times intensity, along the line of sight where images give that
   FaceOn,    ///< optical_depth times intensity, across the disc's plane
   PAH8um,    ///< in proportion to an 8 um image, scaled to a mean
   Gas,       ///< from the column density of hydrogen
@@ -184,6 +189,9 @@ struct ThicknessDescription
   double fwhmMaximum = 4;         ///< cap (Flared)
   double referenceVelocity = 189; ///< v_ref of (v_ref/v_rot)^beta (Flared)
   double velocityExponent = 1;    ///< beta (Flared)
+  bool rotationKnown = true;      ///< false where v_rot is but a default: then no scaling (Flared)
+  /// What v_rot is (Flared)
+  VelocityScaling velocityScaling = VelocityScaling::Maximum;
   /// Widths by increasing radius, in place of all the formula of Flared; empty: none
   std::vector<WidthAtRadius> profileTable;
   double gasDispersion = 8;           ///< sigma_g, km/s (Hydrostatic)
@@ -266,7 +274,7 @@ struct ComponentDescription
   SmoothingDescription smoothing;
   double size = 1;         ///< factor on h when drawn
   double brightness = 1;   ///< factor on emission (or on opacity) when drawn
-  double opticalDepth = 1; ///< absorbers: tau in V along the sight line at intensity 1
+  double opticalDepth = 1; ///< absorbers: tau in V at intensity 1, see DepthCalibration
   Color absorption = { 0.834, 1.0, 1.319 };              ///< RGB_A: CCM89, R_V = 3.1, bands R, V, B
   ExtinctionLaw extinction = ExtinctionLaw::Custom;      ///< what `absorption` was made from
   double totalToSelective = 0;                           ///< R_V; 0: the law's own
@@ -280,6 +288,12 @@ struct ComponentDescription
   DustDescription dust;
   SpheroidDescription spheroid;
 };
+
+/// Whether images say how bright a component is.
+inline bool usesImages(const ComponentDescription& component)
+{
+  return component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
+}
 
 /// A whole .galaxy file.
 struct GalaxyDescription
@@ -342,6 +356,9 @@ void requireInRange(
 /// The same for dust.
 void requireInRange(
   const DustDescription& dust, const std::string& file, const std::string& component);
+/// The same for a spheroid.
+void requireInRange(
+  const SpheroidDescription& spheroid, const std::string& file, const std::string& component);
 
 /// `path` as seen from the folder of `file`, unchanged where absolute.
 std::string besideFile(const std::string& file, const std::string& path);

@@ -9,6 +9,8 @@ namespace galaxy
 {
 namespace
 {
+constexpr double lightSpeed = 299792.458; // km/s
+
 void readGalaxy(const KeyValue& value, GalaxyDescription& out)
 {
   const toml::table& table = value.table();
@@ -91,10 +93,10 @@ const Keys<GalaxyDescription>& galaxyKeys()
       "the file's"),
     numberKey<G>("inclination", &G::inclination, Range::from(-180, 180), "degrees",
       "Inclination of the flat disc; 0 is face-on."),
-    numberKey<G>("position_angle", &G::positionAngle, Range::any(), "degrees",
-      "Of the flat disc's receding major axis, North through East."),
-    numberKey<G>("rotation_velocity", &G::rotationVelocity, Range::any(), "km/s",
-      "Rotation velocity of the flat disc."),
+    positionAngleKey<G>(
+      &G::positionAngle, "Of the flat disc's receding major axis, North through East."),
+    numberKey<G>("rotation_velocity", &G::rotationVelocity, Range::from(-lightSpeed, lightSpeed),
+      "km/s", "Rotation velocity of the flat disc."),
     numberKey<G>("radius", &G::radius, Range::positive(), "kpc", "Radius of the flat disc."),
     choiceKey<G>("spin", &G::spin, { "FromCode", "Clockwise", "CounterClockwise" },
       "Sense of rotation on the sky; FromCode is what the rings' program means."),

@@ -29,6 +29,11 @@ void readImages(const KeyValue& value, GalaxyDescription& out);
 /// Reads [[component]] with its layers and sections.
 ComponentDescription readComponent(const std::string& file, const toml::table& table);
 
+/// Reads [component.thickness] and checks what holds between its keys.
+void readThickness(const KeyValue& value, ThicknessDescription& out);
+/// Tells the components where nothing in the file says how fast the galaxy rotates.
+void noteRotation(const toml::table& root, GalaxyDescription& galaxy);
+
 /// Reads [component.spheroid]: its preset first, then what the other keys say.
 void readSpheroid(const KeyValue& value, SpheroidDescription& out);
 /// What a preset says about each key.

@@ -229,9 +229,8 @@ const Keys<ImageDescription>& imageKeys()
     { "pixel_scale", "number greater than 0, arcsec a pixel", "the header's",
       "Pixel size of a tangent projection that replaces the header's coordinates.",
       readPixelScale },
-    numberKey<I>(
-      "position_angle", [](I& i) -> double& { return i.coordinates.positionAngle; }, Range::any(),
-      "degrees", "Of the image's upward axis, North through East, with pixel_scale."),
+    positionAngleKey<I>([](I& i) -> double& { return i.coordinates.positionAngle; },
+      "Of the image's upward axis, North through East, with pixel_scale."),
     flagKey<I>(
       "mirrored", [](I& i) -> bool& { return i.coordinates.mirrored; },
       "Whether East is to the right of North, with pixel_scale."),

@@ -51,7 +51,8 @@ std::string joined(const std::vector<std::string>& names, const char* separator)
 
 bool Range::contains(double number) const
 {
-  return std::isfinite(number) && number <= this->highest &&
+  const bool hasLowestOnly = std::isfinite(this->lowest) && !std::isfinite(this->highest);
+  return std::isfinite(number) && number <= (hasLowestOnly ? Range::most : this->highest) &&
     (this->open ? number > this->lowest : number >= this->lowest);
 }
 
@@ -66,6 +67,16 @@ std::string Range::text() const
     return (this->open ? "greater than " : "at least ") + written(this->lowest);
   }
   return "";
+}
+
+std::string Range::complaint(double number) const
+{
+  if (!std::isfinite(number))
+  {
+    return "must be a finite number";
+  }
+  const bool isTooLarge = !std::isfinite(this->highest) && number > Range::most;
+  return "must be " + (isTooLarge ? "at most " + written(Range::most) : this->text());
 }
 
 void KeyValue::fail(const std::string& what) const
@@ -83,7 +94,7 @@ double KeyValue::number(const Range& range) const
   }
   if (!range.contains(*number))
   {
-    this->fail(range.text().empty() ? "must be finite" : "must be " + range.text());
+    this->fail(range.complaint(*number));
   }
   return *number;
 }
@@ -226,6 +237,15 @@ std::string writtenType(const std::string& kind, const std::string& unit, const 
 {
   const std::string bounds = range.text();
   return kind + (bounds.empty() ? "" : " " + bounds) + (unit.empty() ? "" : ", " + unit);
+}
+
+std::string writtenIntegerType(long long lowest, long long highest)
+{
+  // The largest int is how the code says that there is no bound.
+  const std::string type = "whole number ";
+  return highest < std::numeric_limits<int>::max() - 1
+    ? type + std::to_string(lowest) + " to " + std::to_string(highest)
+    : type + "at least " + std::to_string(lowest);
 }
 
 std::string writtenChoices(const std::vector<std::string>& names)

@@ -23,6 +23,10 @@ struct Range
   double highest = std::numeric_limits<double>::infinity();
   bool open = false; ///< true where the lowest itself is refused
 
+  /// Where only a lowest is given, nothing larger is accepted all the same: particles keep numbers,
+  /// and the products of a few, as float32.
+  static constexpr double most = 1e30;
+
   static Range any() { return {}; }
   static Range positive() { return { 0, std::numeric_limits<double>::infinity(), true }; }
   static Range notNegative() { return { 0, std::numeric_limits<double>::infinity(), false }; }
@@ -31,6 +35,8 @@ struct Range
   bool contains(double number) const;
   /// "greater than 0", "0 to 1", or empty where every number is accepted.
   std::string text() const;
+  /// What is wrong with a number that is not contained.
+  std::string complaint(double number) const;
 };
 
 /// A value of a TOML file that knows its key and line; each getter throws Error where the value
@@ -96,6 +102,7 @@ void readTable(const std::string& file, const std::string& section, const toml::
 // How defaults and types are written in the documentation.
 std::string written(double number);
 std::string writtenType(const std::string& kind, const std::string& unit, const Range& range);
+std::string writtenIntegerType(long long lowest, long long highest);
 std::string writtenChoices(const std::vector<std::string>& names);
 std::string writtenText(const std::string& text);
 template <std::size_t N>
@@ -126,8 +133,8 @@ Key<T> integerKey(
 {
   T defaults;
   using Integer = std::decay_t<decltype(std::invoke(access, defaults))>;
-  return { name, writtenType("whole number", "", { double(lowest), Range().highest }),
-    std::to_string(std::invoke(access, defaults)), meaning, [=](const KeyValue& value, T& out) {
+  return { name, writtenIntegerType(lowest, highest), std::to_string(std::invoke(access, defaults)),
+    meaning, [=](const KeyValue& value, T& out) {
       std::invoke(access, out) = static_cast<Integer>(value.integer(lowest, highest));
     } };
 }

@@ -107,7 +107,10 @@ Layout plainLayout()
 }
 
 /// ROTCUR's columns always stand in the same order; the line of units in brackets tells the
-/// radius'.
+/// radius'. Its model is v = VSYS + (VROT cos t + VEXP sin t) sin i with t from the receding axis
+/// toward PA + 90 degrees (Begeman 1989), against the rotation of the clockwise disc that the
+/// table's code stands for: what it calls outward is inward there, as with DiskFit. GALMOD and
+/// 3DBarolo count t toward PA - 90 degrees, and their sign stays.
 Layout rotcurLayout(const Table& table, const RingOptions& options)
 {
   double radius = 1;
@@ -128,7 +131,7 @@ Layout rotcurLayout(const Table& table, const RingOptions& options)
   layout.count = 11;
   layout.expected = "a ROTCUR row of at least 11 columns";
   layout.quantities = { { 0, &all[0], radius }, { 2, &all[7], 1 }, { 4, &all[1], 1 },
-    { 6, &all[6], 1 }, { 8, &all[4], 1 }, { 10, &all[3], 1 } };
+    { 6, &all[6], -1 }, { 8, &all[4], 1 }, { 10, &all[3], 1 } };
   layout.extras = { { 1, "WIDTH", unit }, { 3, "E_VSYS", "km/s" }, { 5, "E_VROT", "km/s" },
     { 7, "E_VEXP", "km/s" }, { 9, "E_PA", "deg" }, { 11, "E_INC", "deg" }, { 12, "XPOS", "grid" },
     { 13, "E_XPOS", "grid" }, { 14, "YPOS", "grid" }, { 15, "E_YPOS", "grid" }, { 16, "NPTS", "" },

@@ -226,7 +226,8 @@ RingTable parseDiskFit(
     Ring ring;
     ring.radius = scale * row[0];
     ring.rotationVelocity = row[rotationColumn];
-    // Its azimuth runs toward PA + 90 degrees, against the rotation of a clockwise disc.
+    // Its azimuth runs toward PA + 90 degrees, against the rotation of the clockwise disc that
+    // RingCode::Rotcur stands for: the same line-of-sight velocities are the opposite flow there.
     ring.expansionVelocity = -row[radialColumn];
     ring.systemicVelocity = output.value("Vsys (km/s):");
     warp.incline(row[0], ring);

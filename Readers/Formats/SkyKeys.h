@@ -21,6 +21,17 @@ Key<T> rightAscensionKey(Access access, const char* meaning)
   return key;
 }
 
+/// A position angle; whole turns are taken off, for no sine is to be had of a number such as 1e300.
+template <class T, class Access>
+Key<T> positionAngleKey(Access access, const char* meaning)
+{
+  Key<T> key = numberKey<T>("position_angle", access, Range::any(), "degrees", meaning);
+  key.set = [=](const KeyValue& value, T& out) {
+    std::invoke(access, out) = std::fmod(value.number(Range::any()), 360.0);
+  };
+  return key;
+}
+
 template <class T, class Access>
 Key<T> declinationKey(Access access, const char* meaning)
 {

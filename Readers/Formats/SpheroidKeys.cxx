@@ -1,7 +1,10 @@
+#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <iterator>
 
 namespace galaxy
 {
@@ -14,6 +17,52 @@ const std::vector<std::string> profileNames = { "Gaussian", "Sersic", "Hernquist
   "Plummer", "NFW", "Cored" };
 const std::vector<std::string> presetNames = { "None", "Bulge", "StellarHalo", "DarkHalo",
   "Elliptical", "DwarfSpheroidal", "DwarfElliptical", "DwarfIrregular" };
+
+constexpr long long mostClusters = 1 << 24;
+constexpr Range axisRange = { 0, 1, true };
+
+/// A number of the section, for the file and for the source's properties alike.
+struct Number
+{
+  const char* name;
+  double S::*member;
+  Range range;
+  const char* unit;
+  const char* meaning;
+};
+
+const Number numbers[] = {
+  { "effective_radius", &S::effectiveRadius, Range::positive(), "kpc",
+    "Projected radius of half of the light (Sersic)." },
+  { "sersic_index", &S::sersicIndex, Range::from(0.5, 10), "",
+    "1 falls as a disk does, 4 as an elliptical (Sersic)." },
+  { "scale_radius", &S::scaleRadius, Range::positive(), "kpc",
+    "Scale of the density (all but Gaussian and Sersic)." },
+  { "slope", &S::slope, Range::from(3.1, 20), "",
+    "Exponent of the density's fall outside the core of scale_radius (Cored)." },
+  { "concentration", &S::concentration, Range::from(0.01, 1e6), "",
+    "Where there is no truncation, the spheroid ends at this many scale_radius (NFW, Cored)." },
+  { "position_angle", &S::positionAngle, Range::any(), "degrees",
+    "Of the first axis, which lies in the sky, North through East." },
+  { "inclination", &S::inclination, Range::from(-180, 180), "degrees",
+    "Of the plane of the first and second axis, tilted as the galaxy's disk is." },
+  { "central_brightness", &S::centralBrightness, Range::notNegative(), "",
+    "Brightness at the centre, seen along the third axis, where a layer's intensity 1 is 1; at "
+    "effective_radius (Sersic) or at the radius of half of the mass (Hernquist, NFW). Of preset "
+    "DarkHalo 0." },
+  { "light_fraction", &S::lightFraction, Range::from(0, 1), "",
+    "How much of all the light of light_from that lies on its disk is the spheroid's, as far as "
+    "the spheroid's pixels have it." },
+  { "cluster_radius", &S::clusterRadius, Range::positive(), "kpc",
+    "Plummer radius of a star cluster." },
+};
+
+Key<S> number(const std::string& name)
+{
+  const Number* row = std::find_if(
+    std::begin(numbers), std::end(numbers), [&](const Number& n) { return n.name == name; });
+  return numberKey<S>(row->name, row->member, row->range, row->unit, row->meaning);
+}
 
 /// An angle by which the spheroid leaves the rings' axes for its own.
 Key<S> orienting(Key<S> key)
@@ -98,6 +147,11 @@ void checkSpheroid(const KeyValue& section, const S& spheroid)
   check.excludes("luminosity", { "central_brightness" });
   check.excludes("clusters", { "cluster_list" });
   check.needs("light_fraction", "light_from");
+  if (!section.table().contains("luminosity") && !section.table().contains("light_from"))
+  {
+    check.failWhereGiven(
+      "cluster_list", "needs luminosity, the light of all of them, or light_from");
+  }
   if (!(spheroid.truncation >= leastTruncation(spheroid)))
   {
     check.failWhereGiven("truncation", "must be at least a millionth of the profile's scale");
@@ -125,54 +179,82 @@ double leastTruncation(const SpheroidDescription& spheroid)
 
 const Keys<SpheroidDescription>& spheroidKeys()
 {
-  constexpr long long mostClusters = 1 << 24;
   static const Keys<S> keys = {
     choiceKey<S>("preset", &S::preset, presetNames,
       "Defaults of a kind of spheroid, which the keys beside it override."),
     choiceKey<S>("profile", &S::profile, profileNames, "Radial law of the density."),
     listKey<S>("sigma", &S::sigma, Range::positive(), "kpc",
       "Standard deviations along the three axes (Gaussian)."),
-    numberKey<S>("effective_radius", &S::effectiveRadius, Range::positive(), "kpc",
-      "Projected radius of half of the light (Sersic)."),
-    numberKey<S>("sersic_index", &S::sersicIndex, Range::from(0.5, 10), "",
-      "1 falls as a disk does, 4 as an elliptical (Sersic)."),
-    numberKey<S>("scale_radius", &S::scaleRadius, Range::positive(), "kpc",
-      "Scale of the density (all but Gaussian and Sersic)."),
-    numberKey<S>("slope", &S::slope, Range::from(3.1, 20), "",
-      "Exponent of the density's fall outside the core of scale_radius (Cored)."),
-    numberKey<S>("concentration", &S::concentration, Range::from(0.01, 1e6), "",
-      "Where there is no truncation, the spheroid ends at this many scale_radius (NFW, Cored)."),
+    number("effective_radius"),
+    number("sersic_index"),
+    number("scale_radius"),
+    number("slope"),
+    number("concentration"),
     numberKey<S>("truncation", &S::truncation, Range::positive(), "kpc",
       "Where the spheroid ends along its first axis."),
-    listKey<S>("axis_ratios", &S::axisRatios, { 0, 1, true }, "",
+    listKey<S>("axis_ratios", &S::axisRatios, axisRange, "",
       "Second and third axis relative to the first (all but Gaussian)."),
     flagKey<S>("tilted", &S::tilted,
       "Whether the axes are the innermost ring's rather than the sky's West, North and depth."),
-    orienting(numberKey<S>("position_angle", &S::positionAngle, Range::any(), "degrees",
-      "Of the first axis, which lies in the sky, North through East.")),
-    orienting(numberKey<S>("inclination", &S::inclination, Range::from(-180, 180), "degrees",
-      "Of the plane of the first and second axis, tilted as the galaxy's disk is.")),
-    numberKey<S>("central_brightness", &S::centralBrightness, Range::notNegative(), "",
-      "Brightness at the centre, seen along the third axis, where a layer's intensity 1 is 1; at "
-      "effective_radius (Sersic) or at the radius of half of the mass (Hernquist, NFW)."),
+    orienting(number("position_angle")),
+    orienting(number("inclination")),
+    number("central_brightness"),
     withDefault(numberKey<S>("luminosity", &S::luminosity, Range::notNegative(), "kpc^2",
                   "Whole light, intensity times area, in place of central_brightness."),
       "from central_brightness"),
-    textKey<S>("light_from", &S::lightFrom, "Disk component from whose pixels the light is taken."),
-    numberKey<S>("light_fraction", &S::lightFraction, Range::from(0, 1), "",
-      "How much of the light of light_from is the spheroid's, as far as its pixels have it."),
+    textKey<S>("light_from", &S::lightFrom,
+      "Disk component that emits the light of layers, from whose pixels the light is taken."),
+    number("light_fraction"),
     integerKey<S>("clusters", &S::clusters, 0, mostClusters,
       "Star clusters that stand as the profile says and share the particles; 0: a smooth body."),
     textKey<S>("cluster_list", &S::clusterList,
       "File of star clusters, relative to this one: x, y, z or ra, dec, distance; luminosity, "
-      "radius."),
-    numberKey<S>("cluster_radius", &S::clusterRadius, Range::positive(), "kpc",
-      "Plummer radius of a star cluster."),
+      "which "
+      "is relative, radius."),
+    number("cluster_radius"),
     textKey<S>("shells", &S::shells,
       "File of nested ellipsoids, relative to this one: semi_major, axis_ratio_b, axis_ratio_c, "
       "position_angle, inclination."),
   };
   return keys;
+}
+
+void requireInRange(const S& spheroid, const std::string& file, const std::string& component)
+{
+  const auto fail = [&](const std::string& name, const std::string& complaint) {
+    throw Error(file, component, "spheroid: " + name + " " + complaint);
+  };
+  const auto require = [&](const Range& range, double value, const char* name) {
+    if (!range.contains(value))
+    {
+      fail(name, range.complaint(value));
+    }
+  };
+  for (const Number& n : numbers)
+  {
+    require(n.range, spheroid.*n.member, n.name);
+  }
+  for (const double sigma : spheroid.sigma)
+  {
+    require(Range::positive(), sigma, "sigma");
+  }
+  for (const double ratio : spheroid.axisRatios)
+  {
+    require(axisRange, ratio, "axis_ratios");
+  }
+  const int profile = static_cast<int>(spheroid.profile);
+  require(Range::from(0, static_cast<double>(profileNames.size()) - 1), profile, "profile");
+  require(Range::from(0, mostClusters), static_cast<double>(spheroid.clusters), "clusters");
+  require(
+    Range::notNegative(), std::isnan(spheroid.luminosity) ? 0 : spheroid.luminosity, "luminosity");
+  if (!(spheroid.truncation >= leastTruncation(spheroid)))
+  {
+    fail("truncation", "must be at least a millionth of the profile's scale");
+  }
+  if (spheroid.truncation > 1e12 * scaleOf(spheroid) && std::isfinite(spheroid.truncation))
+  {
+    fail("truncation", "must be no more than 1e12 times the profile's scale");
+  }
 }
 
 void readSpheroid(const KeyValue& value, SpheroidDescription& out)

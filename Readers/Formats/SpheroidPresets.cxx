@@ -29,13 +29,14 @@ SpheroidDescription stellarHalo()
   return s;
 }
 
-/// A halo of 1e12 solar masses (Navarro, Frenk and White 1997).
+/// A halo of 1e12 solar masses (Navarro, Frenk and White 1997), dark.
 SpheroidDescription darkHalo()
 {
   SpheroidDescription s;
   s.profile = SpheroidProfile::NFW;
   s.scaleRadius = 20;
   s.concentration = 10;
+  s.centralBrightness = 0;
   return s;
 }
 

@@ -24,8 +24,7 @@ const Number numbers[] = {
   { "children", &T::children, Range::notNegative(), "",
     "Children a seed, at intensity 1 (Gaussian) or at the centre (the others)." },
   { "sigma", &T::sigma, Range::notNegative(), "kpc",
-    "Spread in all directions (Gaussian, and Tapered read literally) or in the plane (the "
-    "others)." },
+    "Spread in all directions (Gaussian) or in the plane (the others)." },
   { "compression", &T::compression, Range::from(0, 1), "",
     "Exponent from the image's intensity to the seed's (Gaussian)." },
   { "scale_length", &T::scaleLength, Range::positive(), "kpc",
@@ -43,9 +42,9 @@ const Number numbers[] = {
   { "fwhm_maximum", &T::fwhmMaximum, Range::positive(), "kpc",
     "Largest full width at half maximum (Flared)." },
   { "reference_velocity", &T::referenceVelocity, Range::positive(), "km/s",
-    "Rotation velocity at which the widths hold (Flared)." },
+    "Rotation velocity of a galaxy that has these widths (Flared)." },
   { "velocity_exponent", &T::velocityExponent, Range::any(), "",
-    "Exponent of reference over rotation velocity (Flared)." },
+    "Exponent of reference over rotation velocity, by which the widths are multiplied (Flared)." },
   { "gas_dispersion", &T::gasDispersion, Range::positive(), "km/s",
     "Velocity dispersion of the gas (Hydrostatic)." },
   { "stellar_surface_density", &T::stellarSurfaceDensity, Range::notNegative(), "Msun/pc^2",
@@ -63,17 +62,22 @@ Keys<T> makeKeys()
 {
   Keys<T> keys = {
     choiceKey<T>("model", &T::model, { "Gaussian", "Tapered", "Flared", "Hydrostatic", "Rings" },
-      "How a seed becomes a cloud of children."),
+      "How a seed becomes a cloud of children; their heights are along the normal of their ring's "
+      "plane."),
     choiceKey<T>("law", &T::law, { "Gaussian", "Sech2", "Exponential", "Lorentzian", "Box" },
       "Vertical density law of Tapered, Flared and Hydrostatic.", 1),
     choiceKey<T>("reading", &T::reading, { "RadialScale", "Literal" },
-      "Of the paper's formula (Tapered): the children fall with scale_length and are scale_height "
-      "thick, or fall with scale_height and spread by sigma."),
+      "Of the paper's formula (Tapered): whether the children fall with scale_length or, to the "
+      "letter, with scale_height; both are scale_height thick."),
     choiceKey<T>("child_light", &T::childLight, { "Share", "Inherit" },
-      "Whether the children of a seed share its light or have all of it each."),
+      "Whether the children of a seed share its light or have all of it each, as normalize_at = "
+      "Seed and None let them."),
     integerKey<T>("maximum_children", &T::maximumChildren, 1, INT_MAX, "Most children a seed."),
     flagKey<T>("taper_thickness", &T::taperThickness,
-      "Whether the thickness falls with radius as the children do (Tapered)."),
+      "Whether the thickness falls with radius by scale_length (Tapered)."),
+    choiceKey<T>("velocity_scaling", &T::velocityScaling, { "Maximum", "Local" },
+      "The rotation velocity that the widths are inverse to (Flared): the disk's fastest, or the "
+      "fastest from each radius outward. A disk without rings or rotation_velocity is not scaled."),
     { "profile_table", "file", "none",
       "Rows of radius and full width at half maximum, kpc, in place of all the formula (Flared).",
       readProfile },
@@ -98,6 +102,26 @@ const Keys<T>& thicknessKeys()
   return keys;
 }
 
+void readThickness(const KeyValue& value, T& out)
+{
+  const toml::table& table = value.table();
+  readTable(value.file, "[component.thickness]", table, thicknessKeys(), out);
+  if (!out.profileTable.empty() && out.model != ThicknessModel::Flared)
+  {
+    KeyValue(value.file, "profile_table", *table.get("profile_table"))
+      .fail("needs model = \"Flared\"");
+  }
+}
+
+void noteRotation(const toml::table& root, GalaxyDescription& galaxy)
+{
+  const bool known = !galaxy.rings.empty() || root["galaxy"]["rotation_velocity"].node() != nullptr;
+  for (ComponentDescription& component : galaxy.components)
+  {
+    component.thickness.rotationKnown = known;
+  }
+}
+
 void requireInRange(const T& thickness, const std::string& file, const std::string& component)
 {
   const auto require = [&](bool right, const std::string& name, const std::string& range) {
@@ -117,6 +141,8 @@ void requireInRange(const T& thickness, const std::string& file, const std::stri
     isOneOf(int(thickness.law), int(LayerLaw::Gaussian), int(LayerLaw::Box)), "law", "a known law");
   require(isOneOf(int(thickness.reading), 0, int(TaperReading::Literal)), "reading",
     "RadialScale or Literal");
+  require(isOneOf(int(thickness.velocityScaling), 0, int(VelocityScaling::Local)),
+    "velocity_scaling", "Maximum or Local");
   require(isOneOf(int(thickness.childLight), 0, int(ChildLight::Inherit)), "child_light",
     "Share or Inherit");
 }

@@ -64,8 +64,8 @@ def run(arguments, scale, threads):
     result["cpu_seconds"] = {p["phase"]: p["cpu"] for p in result["phases"]}
     model = next(p for p in result["phases"] if p["phase"] == "model")
     result["others_cores"] = model["others_cpu"] / (model["end"] - model["start"])
-    held = {p["phase"]: p["memory"] for p in result["phases"]}
-    result["baseline"] = held["plugin"]
+    result["held"] = {p["phase"]: p["memory"] for p in result["phases"]}
+    result["baseline"] = result["held"]["plugin"]
     above = result["peak"] - result["baseline"]
     result["peak_above_baseline"] = above
     result["peak_ratio"] = result["peak"] / result["model_bytes"]
@@ -163,9 +163,10 @@ def print_run(r, bandwidth):
     table(["component", "seeds", "kept", "particles", "filled", *STAGES, "seconds",
            "ns/particle"], component_rows(r["components"] + [total]))
     outside = seconds["model"] - sum(total["seconds"].values())
-    table(["phase", "seconds", "CPU seconds"], [
-        [name, f"{seconds[phase]:.3f}", f"{r['cpu_seconds'][phase]:.3f}"]
-        for phase, name in PHASES.items()] + [["  outside the components", f"{outside:.3f}", ""]])
+    table(["phase", "seconds", "CPU seconds", "memory at its end"], [
+        [name, f"{seconds[phase]:.3f}", f"{r['cpu_seconds'][phase]:.3f}",
+         megabytes(r["held"][phase])] for phase, name in PHASES.items()]
+        + [["  outside the components", f"{outside:.3f}", "", ""]])
     print(f"While the model was built, other processes kept {r['others_cores']:.2f} cores busy.\n")
     model = r["model_bytes"]
     table(["memory", "size", "/ model"], [

@@ -43,6 +43,20 @@ class BenchModel(unittest.TestCase):
         self.assertEqual(sum(counts[:-1]), counts[-1])
         self.assertEqual(counts[-1], self.results["runs"][-1]["particles"])
 
+    def test_the_phases_memory_is_printed(self):
+        run = self.results["runs"][-1]
+        lines = self.printed.splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith("phase "))
+        self.assertTrue(lines[first].endswith("memory at its end"))
+        printed = [float(line.split()[-2]) for line in lines[first + 1:first + 5]]
+        held = [phase["memory"] for phase in run["phases"]]
+        self.assertEqual([phase["phase"] for phase in run["phases"]],
+                         ["paraview", "plugin", "read", "model"])
+        for shown, size in zip(printed, held):
+            self.assertAlmostEqual(shown, size / 1e6, delta=0.051)
+        self.assertLess(held[1], held[3])  # which holds the images and the particles
+        self.assertLessEqual(max(held), run["peak"])
+
     def test_a_particle_takes_24_bytes(self):
         for run in self.results["runs"]:
             self.assertEqual(run["model_bytes"], 24 * run["particles"])

@@ -80,6 +80,31 @@ TEST(Dust, HeightsAreStationary)
   }
 }
 
+TEST(Dust, HeightsAreNormal)
+{
+  const auto normal = [](double z) { return 0.5 * std::erfc(-z / 0.08 / std::sqrt(2.0)); };
+  for (const DustModel model : { DustModel::DiskRotation, DustModel::Fractal })
+  {
+    ComponentDescription component = dustDisk();
+    component.outerRadius = 19; // a walk that ends early would leave no particle to look at
+    component.dust.model = model;
+    component.dust.steps = 12;
+    component.dust.children = 12;
+    component.dust.scaleHeight = 0.08;
+    component.dust.velocityDispersion = 0;
+    const Filaments filaments(flatDisk(20), component, 10000);
+    for (const int particle : { 0, 4, 11 })
+    {
+      std::vector<double> heights;
+      for (std::size_t i = 0; i < filaments.seeds.size(); ++i)
+      {
+        heights.push_back(filaments.position(filaments.starts[i] + particle).z);
+      }
+      EXPECT_LT(kolmogorov(heights, normal), 1.95) << int(model) << ' ' << particle;
+    }
+  }
+}
+
 TEST(Dust, UnstableStepsAreRefused)
 {
   ComponentDescription component = dustDisk();
@@ -345,7 +370,7 @@ TEST(Dust, CloudsLieOnTheWarpedDiscAndKeepTheCrossSection)
     }
   }
   EXPECT_NEAR(std::sqrt(squares / clouds.particles.size()) / 0.1, 1, 0.01);
-  EXPECT_NEAR(light / seeds, 1, 0.05) << "clouds of mean 1";
+  EXPECT_NEAR(light / seeds, 1, 1e-5) << "all of it";
   EXPECT_LT(apart, 1);
   // The share of a particle within its seed's light is the cloud's density there.
   double mean = 0, variance = 0;

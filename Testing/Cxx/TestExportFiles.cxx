@@ -1,14 +1,19 @@
 #include "Testing/Cxx/ExportFixtures.h"
 
+#include "Filters/Export/GadgetBinary.h"
+
 #include <csignal>
 #include <limits>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 namespace galaxy::testing
 {
 namespace
 {
+constexpr std::uint64_t splitBlock = 12 * 300; ///< of a thousand particles makes 4 files
+
 const ParticleFormat allFormats[] = { ParticleFormat::Gadget1, ParticleFormat::Gadget2,
   ParticleFormat::GadgetHDF5, ParticleFormat::CSV };
 
@@ -139,6 +144,105 @@ TEST_F(TestExportFiles, ALinkIsWrittenThrough)
   ASSERT_TRUE(exportTo(this->path("link"), tableOf(particles), ParticleFormat::CSV));
   EXPECT_TRUE(std::filesystem::is_symlink(this->folder / "link"));
   EXPECT_TRUE(std::filesystem::is_regular_file(this->folder / "there" / "model"));
+}
+
+TEST_F(TestExportFiles, ANameAsLongAsTheSystemAllows)
+{
+  const Particles particles = mixedParticles(10);
+  for (const ParticleFormat format : allFormats)
+  {
+    const std::string file = this->path(std::string(255, 'm'));
+    ASSERT_TRUE(exportTo(file, tableOf(particles), format));
+    EXPECT_GT(std::filesystem::file_size(file), 0u);
+  }
+  EXPECT_EQ(this->filesThere(), 1u);
+}
+
+TEST_F(TestExportFiles, AFileKeepsItsPermissions)
+{
+  namespace fs = std::filesystem;
+  const Particles particles = mixedParticles(10);
+  const std::string file = this->oldFile();
+  for (const ParticleFormat format : allFormats)
+  {
+    for (const int mode : { 0600, 0640, 0664, 0444 })
+    {
+      fs::permissions(file, fs::perms(mode));
+      ASSERT_TRUE(exportTo(file, tableOf(particles), format));
+      EXPECT_EQ(int(fs::status(file).permissions()), mode);
+    }
+  }
+  // A new one gets what the user's umask leaves.
+  const mode_t mask = umask(027);
+  ASSERT_TRUE(exportTo(this->path("fresh"), tableOf(particles), ParticleFormat::CSV));
+  umask(mask);
+  EXPECT_EQ(int(fs::status(this->path("fresh")).permissions()), 0640);
+}
+
+TEST_F(TestExportFiles, ASplitSnapshotAppearsAsAWhole)
+{
+  const Particles before = mixedParticles(1000), after = mixedParticles(1100);
+  const std::string file = this->path("model");
+  ASSERT_TRUE(exportTo(file, tableOf(before), ParticleFormat::Gadget2, splitBlock));
+  const std::size_t parts = this->filesThere();
+  ASSERT_GE(parts, 4u);
+  const std::string first = contentOf(file + ".0"), second = contentOf(file + ".1");
+  // The third part's place is taken when all is written and none has its place.
+  ExportOptions options;
+  options.format = ParticleFormat::Gadget2;
+  options.largestBlock = splitBlock;
+  options.progress = [&](double fraction) {
+    if (fraction == 1)
+    {
+      std::filesystem::remove(file + ".2");
+      std::filesystem::create_directory(file + ".2");
+    }
+    return true;
+  };
+  EXPECT_THROW(exportParticles(tableOf(after), file, options), Error);
+  EXPECT_EQ(contentOf(file + ".0"), first);
+  EXPECT_EQ(contentOf(file + ".1"), second);
+  EXPECT_EQ(this->filesThere(), parts); // and nothing beside them
+  // The same where nothing was there.
+  for (const char* part : { ".0", ".1", ".3" })
+  {
+    std::filesystem::remove(file + part);
+  }
+  const std::size_t others = this->filesThere();
+  EXPECT_THROW(exportParticles(tableOf(after), file, options), Error);
+  EXPECT_EQ(this->filesThere(), others);
+}
+
+TEST_F(TestExportFiles, WhatAnEarlierSplitHasLeftGoes)
+{
+  const Particles particles = mixedParticles(1000);
+  for (const ParticleFormat format : { ParticleFormat::Gadget1, ParticleFormat::Gadget2 })
+  {
+    const auto write = [&](std::uint64_t largestBlock) {
+      ASSERT_TRUE(exportTo(this->path("model"), tableOf(particles), format, largestBlock));
+    };
+    // Names alike, but no parts of this snapshot.
+    std::ofstream(this->path("model.6")) << "notes";
+    std::ofstream(this->path("model.bak")) << "notes";
+    ASSERT_TRUE(exportTo(this->path("model.07"), tableOf(particles), format));
+    ASSERT_TRUE(exportTo(this->path("model.9"), tableOf(particles), format)); // not split
+    const std::size_t others = 4;
+
+    write(2 * splitBlock);
+    const std::size_t few = this->filesThere();
+    EXPECT_GT(few, others + 1);
+    write(largestGadgetBlock);
+    EXPECT_EQ(this->filesThere(), others + 1);
+    EXPECT_TRUE(std::filesystem::exists(this->path("model")));
+    write(splitBlock);
+    EXPECT_FALSE(std::filesystem::exists(this->path("model")));
+    EXPECT_GT(this->filesThere(), few);
+    write(2 * splitBlock);
+    EXPECT_EQ(this->filesThere(), few);
+    EXPECT_EQ(contentOf(this->path("model.6")), "notes");
+    write(largestGadgetBlock);
+    std::filesystem::remove(this->path("model"));
+  }
 }
 
 TEST_F(TestExportFiles, ParticlesNoProgramCouldReadAreNamed)

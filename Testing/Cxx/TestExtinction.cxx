@@ -194,4 +194,30 @@ TEST(Deredden, NamesAnAbsorbingComponent)
     messageOf(emitter("dust_geometry = \"Mixed\"\n")).find("needs deredden"), std::string::npos);
   EXPECT_NE(messageOf(absorber("deredden = \"dust\"\n")).find("Emits"), std::string::npos);
 }
+
+TEST(Deredden, NeedsImagesOfTheLightAndOfTheDust)
+{
+  const auto expectRefused = [](const std::string& text) {
+    const std::string message = messageOf(text);
+    EXPECT_NE(message.find(": deredden: "), std::string::npos) << text << message;
+    EXPECT_NE(message.find("layers"), std::string::npos) << message;
+  };
+  expectRefused(emitter("deredden = \"dust\"\nprofile = \"Exponential\"\n"));
+  expectRefused(emitter("deredden = \"dust\"\ntype = \"Spheroid\"\n"));
+  const std::string stars = "[[component]]\nname = \"stars\"\nlayers = [ { image = \"dust\" } ]\n"
+                            "deredden = \"dust\"\n";
+  EXPECT_EQ(messageOf(absorber(stars)), "");
+  expectRefused(absorber("profile = \"Exponential\"\n" + stars));
+  expectRefused(absorber("type = \"Spheroid\"\n" + stars));
+}
+
+TEST(Deredden, SectionsThatWouldBeIgnoredAreRefused)
+{
+  EXPECT_EQ(messageOf(absorber("[component.dust]\n")), "");
+  EXPECT_EQ(messageOf(absorber("[component.thickness]\n")), "");
+  const std::string both = messageOf(absorber("[component.dust]\n[component.thickness]\n"));
+  EXPECT_NE(both.find(": thickness: contradicts [component.dust]"), std::string::npos) << both;
+  const std::string round = messageOf(absorber("type = \"Spheroid\"\n[component.dust]\n"));
+  EXPECT_NE(round.find(": dust: needs type"), std::string::npos) << round;
+}
 } // namespace galaxy

@@ -98,6 +98,47 @@ TEST(FractalNoise, IsAContinuousFunctionOfKeyAndPlace)
   EXPECT_NEAR(product / 10000, 0, 0.05) << "keys are independent";
 }
 
+TEST(FractalNoise, MoreOctavesLeaveTheShapeOfTheOthers)
+{
+  // With H = 0 an octave's amplitude is 1 over the root of their number.
+  DustDescription dust = clouds(FractalKind::FBm);
+  dust.hurst = 0;
+  std::vector<FractalNoise> sums;
+  for (int octaves = 1; octaves <= 3; ++octaves)
+  {
+    dust.octaves = octaves;
+    sums.emplace_back(dust, RandomKey{ 7, 2 });
+  }
+  // sqrt(n) times each is a sum of n octaves: what is added must be as good as independent.
+  double first = 0, second = 0;
+  const int n = 5000;
+  for (int i = 0; i < n; ++i)
+  {
+    const Vec3 p = somewhere(i);
+    const double one = sums[0](p), two = std::sqrt(2) * sums[1](p) - one;
+    first += one * two / n;
+    second += two * (std::sqrt(3) * sums[2](p) - std::sqrt(2) * sums[1](p)) / n;
+  }
+  EXPECT_NEAR(first, 0, 0.06);
+  EXPECT_NEAR(second, 0, 0.06);
+}
+
+TEST(FractalNoise, HasTheTailsOfNormalDeviates)
+{
+  DustDescription dust = clouds(FractalKind::FBm);
+  dust.octaves = 1;
+  const FractalNoise noise(dust, {});
+  // Beyond 4 sigma, where exp(s g) of a large contrast has its mean: 127 of 2e6, 4 sigma of that.
+  const int n = 2000000;
+  int beyond = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    beyond += std::abs(noise(somewhere(i))) > 4 ? 1 : 0;
+  }
+  const double expected = n * std::erfc(4 / std::sqrt(2.0));
+  EXPECT_NEAR(beyond, expected, 4 * std::sqrt(expected));
+}
+
 TEST(FractalNoise, HasNoPeriod)
 {
   DustDescription dust = clouds(FractalKind::FBm);

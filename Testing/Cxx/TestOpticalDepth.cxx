@@ -81,7 +81,14 @@ TEST(OpticalDepth, GivenIsAlongTheLineOfSightAndFaceOnAcrossThePlane)
   EXPECT_EQ(given(0.8, 7, 0.5), 0.4) << "neither a companion nor the inclination counts";
   const OpticalDepth faceOn(dust(DepthCalibration::FaceOn), "m.galaxy");
   EXPECT_EQ(faceOn(0.8), 0.4);
-  EXPECT_NEAR(faceOn(0.8, 0, std::cos(60 * pi / 180)), 0.8, 1e-12);
+  // A thin disc's 1/cos i, to the square of its axis ratio of 0.1; never more than 10.
+  EXPECT_NEAR(faceOn(0.8, 0, 0.5), 0.4 / std::sqrt(0.25 + 0.01 * 0.75), 1e-12);
+  EXPECT_NEAR(faceOn(0.8, 0, 0.5) / 0.8, 1, 0.02);
+  EXPECT_NEAR(faceOn(0.8, 0, 0), 4, 1e-12);
+  for (double cosine = 0; cosine < 0.99; cosine += 0.01)
+  {
+    EXPECT_GT(faceOn(0.8, 0, cosine), faceOn(0.8, 0, cosine + 0.01));
+  }
 }
 
 TEST(OpticalDepth, HydrocarbonsHaveTheReferenceDepthWithinTheRadius)
@@ -243,5 +250,37 @@ TEST(OpticalDepth, KeysAreCheckedAgainstTheCalibration)
   expectRefused(absorbs + "v_over_250um = 5000\n", "v_over_250um", "Dust250um");
   expectRefused(
     absorbs + "calibration = \"Gas\"\nprofile = \"Exponential\"\n", "calibration", "one layer");
+  expectRefused(absorbs + "calibration = \"FaceOn\"\ntype = \"Spheroid\"\n", "calibration", "Disk");
+}
+
+TEST(OpticalDepth, KeysOfAClippedIntensityAreRefusedWhereTheImageTellsTheDepth)
+{
+  const auto messageOfLayer = [](const std::string& calibration, const std::string& keys) {
+    try
+    {
+      parseGalaxyDescription("[galaxy]\nra = 204\ndec = -29\ndistance = 4.9\n[image.dust]\n"
+                             "file = \"d.fits\"\n[[component]]\nname = \"dust\"\nrole = "
+                             "\"Absorbs\"\ncalibration = \"" +
+          calibration + "\"\nlayers = [ { image = \"dust\", " + keys + " } ]\n",
+        "m.galaxy");
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const char* calibration : { "PAH8um", "Gas", "Dust250um" })
+  {
+    for (const char* keys : { "clip = [0, 1]", "clip_percentile = [1, 99]", "stretch = \"Asinh\"" })
+    {
+      const std::string key = std::string(keys).substr(0, std::string(keys).find(' '));
+      const std::string message = messageOfLayer(calibration, keys);
+      EXPECT_NE(message.find(": " + key + ": "), std::string::npos) << keys << message;
+      EXPECT_NE(message.find(calibration), std::string::npos) << keys << message;
+      EXPECT_EQ(messageOfLayer("FaceOn", keys), "");
+    }
+    EXPECT_EQ(messageOfLayer(calibration, "threshold = 0.1, weight = 2"), "");
+  }
 }
 } // namespace galaxy

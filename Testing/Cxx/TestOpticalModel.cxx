@@ -1,4 +1,5 @@
-#include "Filters/Splatting/Footprint.h"
+#include "Filters/Splatting/CubicSpline.h"
+#include "Filters/Splatting/ErfPolynomial.h"
 #include "Filters/Splatting/OpticalModel.h"
 
 #include <gtest/gtest.h>
@@ -51,48 +52,17 @@ TEST(OpticalModel, TwoHalvesMakeOneSlab)
   }
 }
 
-GALAXY_CLONES void slabLanesOf(const float* t, float* escape, float* base, float* change)
+TEST(OpticalModel, ErfPolynomialIsAccurate)
 {
-  const SlabLanes slab = slabLanes(loadLanes(t));
-  storeLanes(escape, slab.escape);
-  storeLanes(base, slab.base);
-  storeLanes(change, slab.change);
-}
-
-TEST(OpticalModel, VectorSlabIsAccurateEverywhere)
-{
-  forOpticalDepths([](float t) {
-    float ts[laneCount], escape[laneCount], base[laneCount], change[laneCount];
-    std::fill_n(ts, laneCount, t);
-    slabLanesOf(ts, escape, base, change);
-    EXPECT_NEAR(escape[3] / exactEscape(t), 1, 2e-7) << t;
-    // What is taken away is as accurate as what is kept: 1e7 slabs of 1e-8 add up.
-    const double kept = double(base[3]) + change[3];
-    if (t < 80)
-    {
-      EXPECT_NEAR(kept / std::exp(-double(t)), 1, 3e-7) << t;
-    }
-    if (t > 0 && t < 0.4)
-    {
-      EXPECT_NEAR(-double(change[3]) / -std::expm1(-double(t)), 1, 3e-7) << t;
-    }
-  });
-}
-
-GALAXY_CLONES void erfOf(const float* u, float* result)
-{
-  storeLanes(result, erfPolynomial(loadLanes(u)));
-}
-
-TEST(OpticalModel, VectorErfIsAccurateAndOdd)
-{
-  for (float u = 0; u < 6; u += 0.003f)
+  const double end = ErfPolynomial::end;
+  for (double u = 0; u <= end; u += 0.003)
   {
-    float us[laneCount] = { u, -u };
-    float result[laneCount];
-    erfOf(us, result);
-    EXPECT_NEAR(result[0], std::erf(u), 2e-7) << u;
-    EXPECT_EQ(result[0], -result[1]);
+    double sum = 0;
+    for (int k = ErfPolynomial::degree; k >= 0; --k)
+    {
+      sum = sum * (2 * u * u / (end * end) - 1) + erfPolynomial.coefficients[k];
+    }
+    EXPECT_NEAR(u * sum, std::erf(u), 2e-7) << u;
   }
 }
 

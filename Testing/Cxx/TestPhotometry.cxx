@@ -123,7 +123,7 @@ TEST(Photometry, FindsThePixelsThatNothingFellOn)
   EXPECT_GT(uncovered.size(), 20u);
   Particles filling = allocateParticles(uncovered.size(), true);
   const VerticalLayer layer = { LayerLaw::Sech2, [](double) { return 0.3; } };
-  fillPixels(uncovered, map, disk, inverse, layer, {}, 1, { filling, 0, 0 });
+  fillPixels(uncovered, map, disk, inverse, layer, 0, {}, 1, { filling, 0, 0 });
   double squares = 0;
   for (std::size_t i = 0; i < uncovered.size(); ++i)
   {

@@ -81,6 +81,32 @@ TEST(RingGeometry, SpinFollowsTheCode)
   EXPECT_EQ(TiltedDisk(table, 1, SpinSense::CounterClockwise).spin(), 1);
 }
 
+TEST(RingGeometry, FastestRotationIsThatFromARadiusOutward)
+{
+  RingTable table;
+  table.rings = { ring(50, -60, 1, 0, 0), ring(100, 120, 1, 0, 0), ring(100, 90, 1, 0, 0),
+    ring(200, -100, 1, 0, 0), ring(300, 40, 1, 0, 0) };
+  const TiltedDisk disk(table, m83Distance);
+  const double expected[][2] = { { 0, 120 }, { 50, 120 }, { 99.999, 120 }, { 100, 100 },
+    { 199, 100 }, { 200, 100 }, { 250, 40 }, { 210, 86 }, { 300, 40 }, { 900, 40 } };
+  for (const auto& [arcsec, v] : expected)
+  {
+    EXPECT_NEAR(disk.fastestRotation(arcsec * m83Kpc), v, 0.01) << arcsec;
+  }
+}
+
+TEST(RingGeometry, FramesAreFoundFromOneAnother)
+{
+  const TiltedDisk disk = m83();
+  std::size_t near = 0;
+  for (const double r : { 30.0, 0.0, 60.0, 59.0, 4.0, 4.1, 21.0, 20.0, 1e9, 0.1 })
+  {
+    const RingFrame one = disk.frame(r), other = disk.frame(r, near);
+    EXPECT_EQ(distance(one.n, other.n), 0) << r;
+    EXPECT_EQ(one.rotation, other.rotation) << r;
+  }
+}
+
 TEST(RingGeometry, PositionAngleTakesTheShorterWay)
 {
   RingTable table;

@@ -102,7 +102,7 @@ TEST(RingTable, Rotcur)
   EXPECT_EQ(ring.scaleHeight, 0);
   EXPECT_EQ(ring.inclination, 48.5);
   EXPECT_EQ(ring.positionAngle, 224.46);
-  EXPECT_EQ(ring.expansionVelocity, -3.5);
+  EXPECT_EQ(ring.expansionVelocity, 3.5);
   EXPECT_EQ(ring.systemicVelocity, 513.1);
 }
 

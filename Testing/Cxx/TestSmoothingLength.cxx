@@ -386,6 +386,7 @@ TEST(Smoothing, IsReadFromTheFile)
   EXPECT_EQ(full.neighbours, 12);
   EXPECT_EQ(full.factor, 2);
   EXPECT_EQ(full.minimum, 0.1);
+  EXPECT_EQ(read("smoothing_length = 0\n[component.smoothing]\nfactor = 2\n").factor, 2);
   EXPECT_THROW(read("smoothing_length = 1\n[component.smoothing]\nlength = 2\n"), Error);
   EXPECT_THROW(read("[component.smoothing]\nminimum = 2\nmaximum = 1\n"), Error);
   EXPECT_THROW(read("[component.smoothing]\nneighbours = 0\n"), Error);

@@ -13,7 +13,8 @@ namespace galaxy
 namespace
 {
 const std::string head = "[galaxy]\nra = 204.2504\ndec = -29.8678\ndistance = 4.9\n"
-                         "[[component]]\nname = \"stars\"\nprofile = \"Exponential\"\n"
+                         "[image.r]\nfile = \"r.fits\"\n"
+                         "[[component]]\nname = \"stars\"\nlayers = [ { image = \"r\" } ]\n"
                          "[[component]]\nname = \"bulge\"\ntype = \"Spheroid\"\n"
                          "[component.spheroid]\n";
 
@@ -167,11 +168,62 @@ TEST(SpheroidKeys, ContradictionsAreRefused)
     { "inclination", "inclination = 3\nshells = \"a.csv\"" },
     { "central_brightness", "luminosity = 1\ncentral_brightness = 1" },
     { "cluster_list", "clusters = 1\ncluster_list = \"a.csv\"" },
+    { "cluster_list", "cluster_list = \"a.csv\"" },
   };
   for (const auto& [key, lines] : refused)
   {
     EXPECT_NE(messageOfKeys(lines + "\n").find(": " + key + ": "), std::string::npos) << lines;
   }
+}
+
+TEST(SpheroidKeys, LightIsTakenFromTheLayersOfAnEmittingDiskOnly)
+{
+  const auto messageOfDisk = [](const std::string& keys) {
+    std::string text = head + "light_from = \"stars\"\n";
+    text.insert(text.find("layers = "), keys);
+    return messageOf([&] { parseGalaxyDescription(text, "some.galaxy"); });
+  };
+  EXPECT_EQ(messageOfDisk(""), "");
+  for (const char* keys :
+    { "profile = \"Exponential\"\n", "role = \"Absorbs\"\n", "type = \"Spheroid\"\n" })
+  {
+    const std::string message = messageOfDisk(keys);
+    EXPECT_NE(message.find(": light_from: there is no component 'stars'"), std::string::npos)
+      << keys << message;
+  }
+}
+
+TEST(SpheroidKeys, DescriptionsOutOfRangeAreRefusedByName)
+{
+  const double nan = std::nan("");
+  const auto expectRefused = [](const char* name, const auto& change) {
+    SpheroidDescription spheroid;
+    requireInRange(spheroid, "some.galaxy", "bulge");
+    change(spheroid);
+    const std::string message =
+      messageOf([&] { requireInRange(spheroid, "some.galaxy", "bulge"); });
+    EXPECT_EQ(message.find(std::string("some.galaxy: bulge: spheroid: ") + name + " must be "), 0u)
+      << message;
+  };
+  using S = SpheroidDescription;
+  expectRefused("profile", [](S& s) { s.profile = static_cast<SpheroidProfile>(7); });
+  expectRefused("sigma", [](S& s) { s.sigma[1] = -1; });
+  expectRefused("effective_radius", [=](S& s) { s.effectiveRadius = nan; });
+  expectRefused("sersic_index", [](S& s) { s.sersicIndex = 11; });
+  expectRefused("scale_radius", [](S& s) { s.scaleRadius = 0; });
+  expectRefused("slope", [](S& s) { s.slope = 3; });
+  expectRefused("concentration", [](S& s) { s.concentration = 0; });
+  expectRefused("truncation", [=](S& s) { s.truncation = nan; });
+  expectRefused("truncation", [](S& s) { s.truncation = -1; });
+  expectRefused("axis_ratios", [](S& s) { s.axisRatios[0] = -0.5; });
+  expectRefused("axis_ratios", [](S& s) { s.axisRatios[1] = 0; });
+  expectRefused("position_angle", [=](S& s) { s.positionAngle = nan; });
+  expectRefused("inclination", [](S& s) { s.inclination = 200; });
+  expectRefused("central_brightness", [](S& s) { s.centralBrightness = -1; });
+  expectRefused("luminosity", [](S& s) { s.luminosity = -1; });
+  expectRefused("light_fraction", [](S& s) { s.lightFraction = 1.5; });
+  expectRefused("clusters", [](S& s) { s.clusters = -1; });
+  expectRefused("cluster_radius", [](S& s) { s.clusterRadius = 0; });
 }
 
 TEST(SpheroidKeys, PresetsAreOverriddenInAnyOrder)
@@ -202,9 +254,9 @@ TEST(SpheroidKeys, ListsStandBesideTheDescription)
 {
   const TextFile file("x,y,z\n1,2,3\n");
   const std::filesystem::path path(file.path);
-  const GalaxyDescription galaxy =
-    parseGalaxyDescription(head + "cluster_list = \"" + path.filename().string() + "\"\n",
-      (path.parent_path() / "some.galaxy").string());
+  const GalaxyDescription galaxy = parseGalaxyDescription(
+    head + "luminosity = 3\ncluster_list = \"" + path.filename().string() + "\"\n",
+    (path.parent_path() / "some.galaxy").string());
   ASSERT_EQ(galaxy.components[1].spheroid.listed.size(), 1u);
   EXPECT_EQ(galaxy.components[1].spheroid.listed[0].position.y, 2);
   EXPECT_NE(messageOfKeys("shells = \"absent.csv\"\n").find("absent.csv"), std::string::npos);

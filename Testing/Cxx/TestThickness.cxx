@@ -44,7 +44,7 @@ double modelWidth(ThicknessModel model, LayerLaw law, double r)
     case ThicknessModel::Tapered:
       return 0.34 * std::exp(-r / 20) * fwhmHeight(law);
     case ThicknessModel::Flared:
-      return 189 / v * (r <= 10 ? 0.3 + 0.05 * r : 0.8 * std::exp((r - 10) / 17.4));
+      return 189.0 / 250 * (r <= 10 ? 0.3 + 0.05 * r : 0.8 * std::exp((r - 10) / 17.4));
     case ThicknessModel::Hydrostatic: {
       const double G = 4.30091e-6; // kpc (km/s)^2/Msun
       const double B = 4 * pi * G * 10e6 / std::sqrt(2 * pi);
@@ -57,6 +57,11 @@ double modelWidth(ThicknessModel model, LayerLaw law, double r)
     default:
       return 0.3 * 2.35482;
   }
+}
+
+double normalShare(double z)
+{
+  return 0.5 * std::erfc(-z * std::sqrt(0.5));
 }
 
 /// The seeds from `first` up to `last`.
@@ -132,32 +137,81 @@ TEST(Thickness, HeightsStandOnTheWarpedPlane)
 
 TEST(Thickness, GaussianModelIsIsotropic)
 {
-  for (const ThicknessModel model : { ThicknessModel::Gaussian, ThicknessModel::Tapered })
+  ComponentDescription component = verticalLayer(ThicknessModel::Gaussian, 10);
+  component.thickness.sigma = 0.4;
+  component.thickness.law = LayerLaw::Box;
+  const ThickDisk thick(flatDisk(10, 50, 20), component, seedsWithin(10, 20000));
+  std::vector<double> axes[3];
+  double xz = 0;
+  for (std::size_t i = 0; i < thick.seeds.size(); ++i)
   {
-    ComponentDescription component = verticalLayer(model, 10);
+    for (std::uint64_t k = thick.starts[i]; k < thick.starts[i + 1]; ++k)
+    {
+      const Vec3 d = (1 / 0.4) * thick.way(i, k);
+      axes[0].push_back(d.x);
+      axes[1].push_back(d.y);
+      axes[2].push_back(d.z);
+      xz += d.x * d.z;
+    }
+  }
+  EXPECT_NEAR(xz / axes[0].size(), 0, 0.007);
+  for (const std::vector<double>& axis : axes)
+  {
+    EXPECT_LT(kolmogorov(axis, normalShare), 1.95);
+  }
+}
+
+TEST(Thickness, TaperedChildrenSpreadBySigmaInThePlaneAndByTheScaleHeightAcross)
+{
+  for (const TaperReading reading : { TaperReading::RadialScale, TaperReading::Literal })
+  {
+    ComponentDescription component = verticalLayer(ThicknessModel::Tapered, 10);
     component.thickness.sigma = 0.4;
-    component.thickness.law = LayerLaw::Box;
-    component.thickness.reading = TaperReading::Literal;
-    component.thickness.scaleHeight = 1e9;
-    const ThickDisk thick(flatDisk(10, 50, 20), component, seedsWithin(10, 20000));
-    std::vector<double> axes[3];
-    double xz = 0;
+    component.thickness.scaleHeight = 2;
+    component.thickness.scaleLength = 2;
+    component.thickness.reading = reading;
+    const ThickDisk thick(flatDisk(10), component, seedsWithin(10, 20000));
+    std::vector<double> inPlane;
     for (std::size_t i = 0; i < thick.seeds.size(); ++i)
     {
       for (std::uint64_t k = thick.starts[i]; k < thick.starts[i + 1]; ++k)
       {
-        const Vec3 d = (1 / 0.4) * thick.way(i, k);
-        axes[0].push_back(d.x);
-        axes[1].push_back(d.y);
-        axes[2].push_back(d.z);
-        xz += d.x * d.z;
+        inPlane.push_back(thick.way(i, k).x / 0.4);
       }
     }
-    EXPECT_NEAR(xz / axes[0].size(), 0, 0.007);
-    for (const std::vector<double>& axis : axes)
+    EXPECT_LT(kolmogorov(inPlane, normalShare), 1.95);
+    EXPECT_LT(kolmogorov(thick.heights(2), normalShare), 1.95);
+  }
+}
+
+TEST(Thickness, ChildrenStayOnAWarpedDiscAndBesideTheirSeeds)
+{
+  // Without a height, children lie on their own rings' planes.
+  RingTable steep;
+  steep.rings = { ring(0, 100, 0, 10, 10), ring(100, 100, 0, 50, 130),
+    ring(100.01, 100, 0, 80, 190), ring(200, 100, 0, 60, 200) };
+  for (const RingTable& rings : { m83Rings(), steep })
+  {
+    ComponentDescription component = verticalLayer(ThicknessModel::Gaussian, 5);
+    component.thickness.model = ThicknessModel::Tapered;
+    component.thickness.scaleLength = 1e9;
+    component.thickness.scaleHeight = 1e-9;
+    component.thickness.sigma = 0.2;
+    const ThickDisk thick(rings, component, seedsWithin(4.7, 4000));
+    for (std::size_t i = 0; i < thick.seeds.size(); ++i)
     {
-      EXPECT_LT(
-        kolmogorov(axis, [](double z) { return 0.5 * std::erfc(-z * std::sqrt(0.5)); }), 1.95);
+      const double r = thick.seeds.radius[i];
+      const Vec3 n = thick.disk.frame(r).n;
+      for (std::uint64_t k = thick.starts[i]; k < thick.starts[i + 1]; ++k)
+      {
+        const Vec3 p = thick.position(k);
+        const Vec3 own = thick.disk.frame(length(p)).n;
+        // As far as float knows the radius: where the disc is steepest that turns the plane.
+        const Vec3 other = thick.disk.frame(length(p) * (1 + 1e-6)).n;
+        ASSERT_LT(std::abs(dot(p, own)), 2e-6 + 2 * length(p) * length(other - own)) << r;
+        // In the seed's plane at most 6.3 sigma away on either axis, and then turned.
+        ASSERT_LT(length(thick.way(i, k)), 1.8 + length(p) * length(own - n)) << r;
+      }
     }
   }
 }
@@ -199,7 +253,7 @@ TEST(Thickness, ChildrenThatInheritHaveAllTheSeedsLight)
 
 TEST(Thickness, AnyNumberOfChildrenKeepsTheLight)
 {
-  const double children[][2] = { { 0, 1 }, { 1e-30, 1 }, { 1e300, 50 } };
+  const double children[][2] = { { 0, 1 }, { 1e-30, 1 }, { 1e30, 50 } };
   for (const auto& [mean, made] : children)
   {
     ComponentDescription component = verticalLayer(ThicknessModel::Flared, mean);
@@ -339,8 +393,7 @@ TEST(Thickness, RandomMotionIsNormalAndLeavesThePlacesAlone)
   }
   for (const std::vector<double>& axis : axes)
   {
-    EXPECT_LT(
-      kolmogorov(axis, [](double z) { return 0.5 * std::erfc(-z * std::sqrt(0.5)); }), 1.95);
+    EXPECT_LT(kolmogorov(axis, normalShare), 1.95);
   }
 }
 } // namespace galaxy

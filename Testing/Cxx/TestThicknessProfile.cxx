@@ -63,7 +63,7 @@ TEST(ThicknessProfile, TaperedDiscTapers)
   EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(8), 0.3 * std::exp(-2), 1e-12);
 }
 
-TEST(ThicknessProfile, LiteralReadingFallsWithTheScaleHeight)
+TEST(ThicknessProfile, LiteralReadingFallsWithTheScaleHeightAndIsAsThick)
 {
   const TiltedDisk disk(flatDisk(20), m83Distance);
   ThicknessDescription thickness =
@@ -71,9 +71,71 @@ TEST(ThicknessProfile, LiteralReadingFallsWithTheScaleHeight)
                 "scale_length = 4\nscale_height = 0.5\nsigma = 0.2");
   const ThicknessProfile profile(thickness, disk);
   EXPECT_NEAR(profile.meanChildren(1.5, 0.1), 20 * std::exp(-3), 1e-12);
-  EXPECT_EQ(profile.scaleHeight(1.5), 0.2);
-  EXPECT_EQ(profile.law(), LayerLaw::Gaussian);
+  EXPECT_EQ(profile.scaleHeight(1.5), 0.5);
+  EXPECT_EQ(profile.law(), LayerLaw::Box);
   EXPECT_EQ(profile.inPlaneSigma(), 0.2);
+}
+
+TEST(ThicknessProfile, TheFlareIsInverseToTheDiscsFastestRotation)
+{
+  RingTable table;
+  table.rings = { ring(0, 0, 1, 30, 0), ring(100, -240, 1, 30, 0), ring(1000, 120, 1, 30, 0) };
+  const TiltedDisk disk(table, m83Distance);
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Flared;
+  for (const double exponent : { 1.0, 0.5, 0.0 })
+  {
+    thickness.velocityExponent = exponent;
+    for (const double r : { 0.0, 0.01, 1.0, 9.0 })
+    {
+      EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(r) * fwhmHeight(LayerLaw::Gaussian),
+        std::pow(189.0 / 240, exponent) * (0.3 + 0.05 * r), 1e-12);
+    }
+  }
+}
+
+TEST(ThicknessProfile, LocalScalingNeverWidensInward)
+{
+  RingTable table;
+  table.rings = { ring(0, 0, 1, 30, 0), ring(100, 240, 1, 30, 0), ring(200, 120, 1, 30, 0),
+    ring(200, 180, 1, 30, 0), ring(300, 90, 1, 30, 0) };
+  const TiltedDisk disk(table, m83Distance);
+  ThicknessDescription thickness;
+  thickness.model = ThicknessModel::Flared;
+  thickness.velocityScaling = VelocityScaling::Local;
+  const ThicknessProfile profile(thickness, disk);
+  const auto width = [&](double arcsec) {
+    return profile.scaleHeight(arcsec * m83Kpc) * fwhmHeight(LayerLaw::Gaussian);
+  };
+  // The fastest from each radius outward, by hand.
+  const double fastest[][2] = { { 0, 240 }, { 50, 240 }, { 100, 240 }, { 125, 210 }, { 150, 180 },
+    { 190, 180 }, { 200, 180 }, { 250, 135 }, { 300, 90 }, { 350, 90 } };
+  for (const auto& [arcsec, v] : fastest)
+  {
+    EXPECT_NEAR(width(arcsec), 189 / v * (0.3 + 0.05 * arcsec * m83Kpc), 1e-9) << arcsec;
+  }
+  for (double arcsec = 0; arcsec < 400; arcsec += 0.7)
+  {
+    EXPECT_LE(width(arcsec), width(arcsec + 0.7) * (1 + 1e-12)) << arcsec;
+  }
+}
+
+TEST(ThicknessProfile, WithoutARotationThereIsNothingToScaleBy)
+{
+  const std::string component = "[[component]]\nname = \"gas\"\nprofile = \"Exponential\"\n"
+                                "[component.thickness]\nmodel = \"Flared\"\n";
+  const std::string galaxy = "[galaxy]\nra = 1\ndec = 2\ndistance = 3\ninclination = 40\n";
+  const auto widthOf = [](const std::string& text) {
+    const GalaxyDescription read = parseGalaxyDescription(text, "g.galaxy");
+    const TiltedDisk disk(read.rings.empty() ? readRings(read) : m83Rings(), read.distance);
+    return ThicknessProfile(read.components[0].thickness, disk).scaleHeight(2) *
+      fwhmHeight(LayerLaw::Gaussian);
+  };
+  EXPECT_NEAR(widthOf(galaxy + component), 0.4, 1e-12);
+  EXPECT_NEAR(widthOf(component + galaxy), 0.4, 1e-12);
+  EXPECT_NEAR(widthOf(galaxy + "rotation_velocity = 100\n" + component), 1.89 * 0.4, 1e-12);
+  EXPECT_NEAR(widthOf("[galaxy]\nra = 1\ndec = 2\ndistance = 3\nrings = \"r\"\n" + component),
+    0.945 * 0.4, 1e-12);
 }
 
 TEST(ThicknessProfile, FlaredWidthIsCappedWhereNothingRotates)
@@ -149,7 +211,26 @@ TEST(ThicknessProfile, MeasuredWidthsReplaceTheFormula)
     EXPECT_NEAR(profile.scaleHeight(r) * fwhmHeight(LayerLaw::Gaussian), fwhm, 1e-12) << r;
   }
   written("one.txt", "5 0.4");
-  EXPECT_EQ(thicknessOf("profile_table = \"one.txt\"").profileTable.size(), 1u);
+  EXPECT_EQ(thicknessOf("model = \"Flared\"\nprofile_table = \"one.txt\"").profileTable.size(), 1u);
+  const std::string message =
+    messageOf([] { thicknessOf("profile_table = \"one.txt\"\nmodel = \"Tapered\""); });
+  EXPECT_NE(message.find("profile_table: needs model = \"Flared\""), std::string::npos) << message;
+}
+
+TEST(ThicknessProfile, InheritedLightIsRefusedWherePixelsShareTheirFlux)
+{
+  const auto read = [](const std::string& keys) {
+    parseGalaxyDescription("[galaxy]\nra = 1\ndec = 2\ndistance = 3\n[image.a]\nfile = \"a\"\n"
+                           "[[component]]\nname = \"stars\"\n" +
+        keys + "[component.thickness]\nchild_light = \"Inherit\"\n",
+      "g.galaxy");
+  };
+  const std::string layers = "layers = [{ image = \"a\" }]\n";
+  const std::string message = messageOf([&] { read(layers); });
+  EXPECT_NE(message.find("line 11: child_light: "), std::string::npos) << message;
+  EXPECT_NO_THROW(read(layers + "normalize_at = \"Seed\"\n"));
+  EXPECT_NO_THROW(read(layers + "normalize_at = \"None\"\n"));
+  EXPECT_NO_THROW(read("profile = \"Exponential\"\n"));
 }
 
 TEST(ThicknessProfile, UnusableWidthsAreRefusedWithTheirLine)
@@ -209,6 +290,7 @@ TEST(ThicknessProfile, WhatIsOutOfRangeIsRefusedByName)
   } choices[] = { { "maximum_children", [](T& t) { t.maximumChildren = 0; } },
     { "model", [](T& t) { t.model = static_cast<ThicknessModel>(5); } },
     { "law", [](T& t) { t.law = LayerLaw::FromFile; } },
+    { "velocity_scaling", [](T& t) { t.velocityScaling = static_cast<VelocityScaling>(2); } },
     { "reading", [](T& t) { t.reading = static_cast<TaperReading>(2); } },
     { "child_light", [](T& t) { t.childLight = static_cast<ChildLight>(-1); } } };
   for (const auto& [name, spoil] : choices)

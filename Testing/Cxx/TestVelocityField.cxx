@@ -122,9 +122,38 @@ TEST(VelocityField, OfAFlatDiscIsItsClosedForm)
   }
 }
 
+TEST(VelocityField, OfARotcurTableIsRotcursFormula)
+{
+  const RingTable table = parseRingTable("! ROTCUR\n"
+                                         "50 50 500 1 120 1 35 1 30 1 55 1\n"
+                                         "450 50 500 1 120 1 35 1 30 1 55 1\n",
+    "some.rotcur");
+  const double sinPA = std::sin(30 * degree), cosPA = std::cos(30 * degree);
+  for (const SpinSense spin : { SpinSense::Clockwise, SpinSense::CounterClockwise })
+  {
+    const TiltedDisk disk(table, m83Distance, spin);
+    for (const double x : { -2.1, 2.3 })
+    {
+      for (const double y : { -3.0, 1.9 })
+      {
+        const auto seen = skyToDisk(disk, x, y);
+        ASSERT_EQ(seen.size(), 1u);
+        const double cosT = (-x * sinPA + y * cosPA) / seen[0].r;
+        const double sinT = (-x * cosPA - y * sinPA) / (seen[0].r * std::cos(55 * degree));
+        EXPECT_NEAR(disk.lineOfSightVelocity(seen[0].r, seen[0].theta),
+          500 + (120 * cosT + 35 * sinT) * std::sin(55 * degree), 1e-6);
+      }
+    }
+  }
+}
+
 TEST(VelocityField, DoesNotKnowTheSpin)
 {
   RingTable table = m83Rings();
+  for (Ring& ring : table.rings)
+  {
+    ring.expansionVelocity = 30;
+  }
   const TiltedDisk one(table, m83Distance, SpinSense::Clockwise);
   const TiltedDisk other(table, m83Distance, SpinSense::CounterClockwise);
   for (double x = -15; x < 15; x += 2.3)

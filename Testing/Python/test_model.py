@@ -109,7 +109,8 @@ class Model(unittest.TestCase):
             points = gt.vtk_to_numpy(data.GetPoints().GetData()).astype(float)
             self.assertEqual(points.shape, flat.shape)  # one child a seed, in the seeds' order
             offset = (points - flat).std(axis=0)
-            np.testing.assert_allclose(offset, sigma, rtol=0.03)
+            # A child stands in the plane of its own ring, which the warp has turned.
+            np.testing.assert_allclose(offset, sigma, rtol=0.06)
             total = gt.vtk_to_numpy(data.GetPointData().GetArray("Intensity")).astype(float).sum()
             self.assertAlmostEqual(total / light.sum(), 1, places=5)
 

@@ -51,6 +51,8 @@ def add_component_table(data):
 class Sample:
     """Particles of four components in no order, as arrays and as a proxy."""
 
+    names, absorbs, gadget_types = NAMES, ABSORBS, GADGET_TYPES
+
     def __init__(self, count=5000, components=(0, 1, 2, 3)):
         random = np.random.default_rng(11)
         self.position = random.normal(size=(count, 3)).astype(np.float32)
@@ -63,7 +65,7 @@ class Sample:
         }
         self.proxy = gt.particles(self.position, self.smoothing_length, **self.arrays)
         add_component_table(self.proxy.GetClientSideObject().GetOutputDataObject(0))
-        self.type = np.array(GADGET_TYPES)[self.arrays["Component"]]
+        self.type = np.array(self.gadget_types)[self.arrays["Component"]]
 
     def of_type(self, gadget_type):
         """Every array of the particles of one type, by the names of HDF5."""
@@ -81,6 +83,25 @@ class Sample:
         }
 
 
+class Model(Sample):
+    """The particles of M83's model, a few of them, with velocities."""
+
+    names = ["stars", "young stars", "gas", "dust", "bulge"]
+    absorbs = [0, 0, 0, 1, 0]
+    gadget_types = [2, 4, 0, 5, 3]
+
+    def __init__(self):
+        self.proxy = simple.GalaxyModel(
+            Input=simple.GalaxyReader(FileName=gt.M83), ParticleScale=0.002, Velocities=1)
+        data = servermanager.Fetch(self.proxy)
+        self.position = gt.vtk_to_numpy(data.GetPoints().GetData()).copy()
+        attributes = data.GetPointData()
+        self.arrays = {name: gt.vtk_to_numpy(attributes.GetArray(name)).copy()
+                       for name in ("Velocity", "Intensity", "Color", "Component")}
+        self.smoothing_length = gt.vtk_to_numpy(attributes.GetArray("SmoothingLength")).copy()
+        self.type = np.array(self.gadget_types)[self.arrays["Component"]]
+
+
 class Writers(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp()
@@ -94,10 +115,12 @@ class Writers(unittest.TestCase):
         np.testing.assert_array_equal(np.asarray(read), expected, what)
 
     def test_h5py_reads_every_array_and_the_components(self):
-        sample = Sample()
+        self.check_h5py(Sample())
+
+    def check_h5py(self, sample):
         simple.SaveData(self.path("model.hdf5"), proxy=sample.proxy)
         with h5py.File(self.path("model.hdf5")) as file:
-            for gadget_type in GADGET_TYPES:
+            for gadget_type in sample.gadget_types:
                 group = file[f"PartType{gadget_type}"]
                 for name, values in sample.of_type(gadget_type).items():
                     self.assert_same(group[name], values, name)
@@ -105,16 +128,17 @@ class Writers(unittest.TestCase):
             self.assertEqual(file["PartType2/Color"].dtype, np.uint8)
             self.assertEqual("Density" in file["PartType2"], False)
             table = file["Components"]
-            self.assertEqual([name.decode() for name in table["Name"]], NAMES)
-            self.assert_same(table["Absorbs"], ABSORBS)
-            self.assert_same(table["ParticleType"], GADGET_TYPES)
-            self.assert_same(table["Absorption"], np.ones((4, 3)))
+            self.assertEqual([name.decode() for name in table["Name"]], sample.names)
+            self.assert_same(table["Absorbs"], sample.absorbs)
+            self.assert_same(table["ParticleType"], sample.gadget_types)
+            if not isinstance(sample, Model):
+                self.assert_same(table["Absorption"], np.ones((4, 3)))
             counts = np.bincount(sample.type, minlength=6)
             self.assert_same(file["Header"].attrs["NumPart_Total"], counts)
 
     def check_yt(self, dataset, sample, types, names):
         data = dataset.all_data()
-        for gadget_type in GADGET_TYPES:
+        for gadget_type in sample.gadget_types:
             for name, values in sample.of_type(gadget_type).items():
                 field = (types[gadget_type], names.get(name, name))
                 if name == "Intensity" and field not in dataset.field_list:
@@ -125,7 +149,9 @@ class Writers(unittest.TestCase):
                 self.assert_same(read, values, field)
 
     def test_yt_reads_both_binary_formats(self):
-        sample = Sample()
+        self.check_yt_binary(Sample())
+
+    def check_yt_binary(self, sample):
         for name in ("model.g1", "model.gad"):
             simple.SaveData(self.path(name), proxy=sample.proxy)
             dataset = yt.load(self.path(name), field_spec=YT_FIELDS)
@@ -142,7 +168,9 @@ class Writers(unittest.TestCase):
             self.assert_same(data["Bndry", "Mass"], sample.of_type(5)["Masses"])
 
     def test_yt_reads_hdf5(self):
-        sample = Sample()
+        self.check_yt_hdf5(Sample())
+
+    def check_yt_hdf5(self, sample):
         simple.SaveData(self.path("model.h5"), proxy=sample.proxy)
         dataset = yt.load(self.path("model.h5"))
         self.check_yt(dataset, sample, [f"PartType{k}" for k in range(6)], {})
@@ -168,8 +196,10 @@ class Writers(unittest.TestCase):
         return np.loadtxt(self.path(name + ".ascii")).T
 
     def test_splash_reads_both_binary_formats(self):
-        sample = Sample()
-        of_type = [sample.of_type(k) for k in sorted(GADGET_TYPES)]
+        self.check_splash(Sample())
+
+    def check_splash(self, sample):
+        of_type = [sample.of_type(k) for k in sorted(sample.gadget_types)]
 
         def all_types(name):
             return np.concatenate([arrays[name] for arrays in of_type])
@@ -197,7 +227,9 @@ class Writers(unittest.TestCase):
         self.assert_same(columns[6], np.concatenate([part["Masses"] for part in of_type]))
 
     def test_csv_by_the_writers_name(self):
-        sample = Sample()
+        self.check_csv(Sample())
+
+    def check_csv(self, sample):
         writer = simple.ParticleWriter(Input=sample.proxy, FileName=self.path("model.csv"))
         writer.UpdatePipeline()
         table = np.genfromtxt(self.path("model.csv"), delimiter=",", names=True, dtype=np.float32)
@@ -210,7 +242,39 @@ class Writers(unittest.TestCase):
         self.assert_same(table["smoothing_length_kpc"], sample.smoothing_length)
         self.assert_same(table["intensity"], sample.arrays["Intensity"])
         self.assert_same(table["component"], sample.arrays["Component"])
-        self.assert_same(table["absorbs"], np.array(ABSORBS)[sample.arrays["Component"]])
+        self.assert_same(table["absorbs"], np.array(sample.absorbs)[sample.arrays["Component"]])
+
+    def test_a_models_particles_by_every_writer(self):
+        sample = Model()
+        self.assertGreater(len(sample.position), 1000)
+        self.assertGreater(np.abs(sample.arrays["Velocity"]).max(), 100)
+        self.assertEqual(set(sample.type), set(sample.gadget_types))
+        for check in (self.check_h5py, self.check_yt_binary, self.check_yt_hdf5,
+                      self.check_splash, self.check_csv):
+            with self.subTest(check=check.__name__):
+                check(sample)
+
+    def test_an_index_that_is_none_is_refused(self):
+        for value in (np.nan, -1.0, 256.0, 0.5, np.inf):
+            proxy = gt.particles(np.zeros((3, 3)), [1, 1, 1], Component=np.array([0, 1, value]))
+            for name in ("model.gad", "model.h5"):
+                with gt.Messages() as messages:
+                    simple.SaveData(self.path(name), proxy=proxy)
+                self.assertIn("Component has values beyond 0 to 255", messages.text)
+                self.assertIn("at point 2", messages.text)
+            self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_writer_that_is_stopped_says_so(self):
+        sample = Sample(100000)
+        for name in ("model.gad", "model.h5", "model.csv"):
+            writer = simple.ParticleWriter(Input=sample.proxy, FileName=self.path(name))
+            algorithm = writer.GetClientSideObject()
+            algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+            with gt.Messages() as messages:
+                writer.UpdatePipeline()
+            self.assertIn(f"{name}: not written: the writer was stopped", messages.text)
+            self.assertNotEqual(algorithm.GetErrorCode(), 0)
+            self.assertEqual(os.listdir(self.folder), [])
 
     def test_paraviews_own_csv_writer_still_answers(self):
         sample = Sample(10)

@@ -1,0 +1,285 @@
+#include "Filters/Splatting/ActiveEffects.h"
+#include "Filters/Splatting/FootprintShare.h"
+#include "Filters/Splatting/OpticalModel.h"
+#include "Filters/Splatting/Tiles.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <omp.h>
+
+namespace galaxy
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+/// A Gaussian's part beyond so many sigma is left out along the ray: erfc(4) = 2e-8.
+constexpr double reach = 4;
+constexpr int mostSlices = 4096;
+
+/// A splat with what the slices need.
+struct Ball
+{
+  double x, y;     ///< centre, pixels from the tile's corner
+  double h;        ///< pixels
+  double distance; ///< from the eye (parallel: depth), kpc
+  double sigma;    ///< along the ray, kpc
+  double e[3], t[3];
+};
+
+/// The direction of the ray through a pixel's middle, as (tan x, tan y, 1), of no length.
+struct Ray
+{
+  double u, v;
+  double length() const { return std::sqrt(1 + this->u * this->u + this->v * this->v); }
+  double dot(const Ray& other) const { return 1 + this->u * other.u + this->v * other.v; }
+};
+
+/// Depths of equal thickness in front of the observer.
+struct Slices
+{
+  double start = 0;
+  double thickness = 1;
+  int count = 0;
+  double edge(int s) const { return this->start + s * this->thickness; }
+};
+
+class TileSlicer
+{
+public:
+  TileSlicer(const Camera& camera, const RenderOptions& options, int left, int bottom)
+    : camera(camera)
+    , options(options)
+    , left(left)
+    , bottom(bottom)
+    , columns(std::min(tileSide, camera.width - left))
+    , rows(std::min(tileSide, camera.height - bottom))
+  {
+  }
+
+  void draw(const Splat* splats, std::size_t count, const Projection& projection)
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      this->balls.push_back(this->ballOf(splats[k], projection));
+    }
+    this->slices = this->slicesOf();
+    this->sums.assign(std::size_t(this->columns) * this->rows * this->slices.count * 6, 0.0);
+    for (const Ball& ball : this->balls)
+    {
+      this->spread(ball);
+    }
+  }
+
+  void march(RenderedImage& image) const
+  {
+    for (int y = 0; y < this->rows; ++y)
+    {
+      for (int x = 0; x < this->columns; ++x)
+      {
+        const std::size_t pixel =
+          std::size_t(this->bottom + y) * this->camera.width + this->left + x;
+        for (int c = 0; c < 3; ++c)
+        {
+          double I = 0, T = 1;
+          for (int s = 0; s < this->slices.count; ++s)
+          {
+            const double* sum = this->sumsAt(x, y, s);
+            I += T * sum[c] * escapeFraction(sum[3 + c]);
+            T *= std::exp(-sum[3 + c]);
+          }
+          image.radiance[3 * pixel + c] = static_cast<float>(I);
+          image.transmittance[3 * pixel + c] = static_cast<float>(T);
+        }
+      }
+    }
+  }
+
+private:
+  Ray rayThrough(double x, double y) const
+  {
+    return { (this->left + x - this->camera.centerX) / this->camera.scale,
+      (this->bottom + y - this->camera.centerY) / this->camera.scale };
+  }
+
+  Ball ballOf(const Splat& splat, const Projection& projection) const
+  {
+    Ball ball = {};
+    ball.x = double(splat.column()) + splat.x;
+    ball.y = double(splat.row()) + splat.y;
+    ball.h = splat.h;
+    ball.distance = splat.depth;
+    const bool isSlab = splat.kind() == SplatKind::Slab;
+    const SlabName name = SlabName::of(splat);
+    const ParticleLight light = isSlab ? projection.light(name.particle) : ParticleLight{};
+    for (int c = 0; c < 3; ++c)
+    {
+      const bool emits = splat.kind() == SplatKind::Emits;
+      ball.e[c] = isSlab ? double(light.L[c]) * name.perArea : emits ? splat.light[c] : 0;
+      ball.t[c] = isSlab ? double(light.K[c]) * name.perArea : emits ? 0 : splat.light[c];
+    }
+    const double pixelsPerKpc = this->camera.parallel
+      ? this->camera.scale
+      : this->camera.scale * this->rayThrough(ball.x, ball.y).length() / ball.distance;
+    // The spline of support h has the variance of a Gaussian exp(-x^2/sigma^2) of this sigma.
+    const double inH = this->options.kernel == Kernel::Gaussian ? 1.0 / 3 : 0.3873;
+    ball.sigma = inH * ball.h / pixelsPerKpc;
+    return ball;
+  }
+
+  Slices slicesOf() const
+  {
+    double near = std::numeric_limits<double>::infinity(), far = -near, smallest = near;
+    for (const Ball& ball : this->balls)
+    {
+      near = std::min(near, ball.distance - reach * ball.sigma);
+      far = std::max(far, ball.distance + reach * ball.sigma);
+      const bool absorbs = ball.t[0] > 0 || ball.t[1] > 0 || ball.t[2] > 0;
+      smallest = absorbs ? std::min(smallest, ball.sigma) : smallest;
+    }
+    near = this->camera.parallel ? near : std::max(near, 0.0);
+    Slices slices;
+    const double wanted = (far - near) / smallest * this->options.slices;
+    slices.count = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double(mostSlices)));
+    slices.start = near;
+    slices.thickness = (far - near) / slices.count;
+    return slices;
+  }
+
+  double* sumsAt(int x, int y, int s)
+  {
+    return &this->sums[6 * ((std::size_t(y) * this->columns + x) * this->slices.count + s)];
+  }
+  const double* sumsAt(int x, int y, int s) const
+  {
+    return const_cast<TileSlicer*>(this)->sumsAt(x, y, s);
+  }
+
+  void spread(const Ball& ball)
+  {
+    const double h = std::max(ball.h, 1e-4);
+    const int x0 = static_cast<int>(std::clamp(std::floor(ball.x - h), 0.0, double(this->columns)));
+    const int y0 = static_cast<int>(std::clamp(std::floor(ball.y - h), 0.0, double(this->rows)));
+    const int x1 =
+      static_cast<int>(std::clamp(std::floor(ball.x + h) + 1, 0.0, double(this->columns)));
+    const int y1 =
+      static_cast<int>(std::clamp(std::floor(ball.y + h) + 1, 0.0, double(this->rows)));
+    for (int y = y0; y < y1; ++y)
+    {
+      for (int x = x0; x < x1; ++x)
+      {
+        const double share = footprintShare(this->options.kernel, ball.x, ball.y, ball.h, x, y);
+        if (share > 0)
+        {
+          this->spreadOnRay(ball, x, y, share);
+        }
+      }
+    }
+  }
+
+  /// Where along the pixel's ray the ball's centre is nearest.
+  double depthOnRay(const Ball& ball, int x, int y) const
+  {
+    if (this->camera.parallel)
+    {
+      return ball.distance;
+    }
+    const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
+    const Ray centre = this->rayThrough(ball.x, ball.y);
+    return ball.distance * ray.dot(centre) / (ray.length() * centre.length());
+  }
+
+  void spreadOnRay(const Ball& ball, int x, int y, double share)
+  {
+    const double depth = this->depthOnRay(ball, x, y);
+    const std::size_t pixel = std::size_t(this->bottom + y) * this->camera.width + this->left + x;
+    const double opaque = this->options.opaqueDepth ? this->options.opaqueDepth[pixel]
+                                                    : std::numeric_limits<double>::infinity();
+    const Slices& all = this->slices;
+    const auto sliceAt = [&all](double d) {
+      return static_cast<int>(
+        std::clamp((d - all.start) / all.thickness, 0.0, double(all.count - 1)));
+    };
+    const int last = sliceAt(depth + reach * ball.sigma);
+    double before = std::erf((all.start - depth) / ball.sigma);
+    int s = sliceAt(depth - reach * ball.sigma);
+    before = s > 0 ? -1 : before; // what lies beyond the reach counts to the first slice
+    for (; s <= last && all.edge(s) < opaque; ++s)
+    {
+      const double end = std::min(all.edge(s + 1), opaque);
+      const double after = s < last || end == opaque ? std::erf((end - depth) / ball.sigma) : 1;
+      const double part = 0.5 * (after - before) * share;
+      double* sum = this->sumsAt(x, y, s);
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += part * ball.e[c];
+        sum[3 + c] += part * ball.t[c];
+      }
+      before = after;
+    }
+  }
+
+  const Camera& camera;
+  const RenderOptions& options;
+  int left, bottom, columns, rows;
+  std::vector<Ball> balls;
+  Slices slices;
+  std::vector<double> sums; ///< by pixel and slice: emission and optical depth of three channels
+};
+} // namespace
+
+RenderedImage renderOverlapping(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options)
+{
+  RenderedImage image;
+  image.width = camera.width;
+  image.height = camera.height;
+  const std::size_t values = 3 * std::size_t(image.width) * image.height;
+  image.radiance.resize(values);
+  image.transmittance.resize(values, 1.0f);
+  const double start = omp_get_wtime();
+  const Projection projection(particles, camera);
+  TileDealer dealer(projection, camera, options.kernel);
+  const TileGrid& grid = dealer.grid();
+  ProjectionCounts counts = dealer.missing();
+  TileBand band;
+  std::atomic<bool> aborted{ options.progress && !options.progress(0) };
+  const std::vector<int> bands = dealer.bands(12 * particles.size + (std::size_t(64) << 20));
+  for (std::size_t k = 0; k + 1 < bands.size() && !aborted; ++k)
+  {
+    dealer.deal(bands[k], bands[k + 1], band);
+    counts += band.counts;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int tile = band.firstTile; tile < band.lastTile; ++tile)
+    {
+      const std::size_t first = band.first[tile - band.firstTile];
+      const std::size_t count = band.first[tile - band.firstTile + 1] - first;
+      if (count > 0 && !aborted)
+      {
+        TileSlicer slicer(
+          camera, options, tile % grid.columns * tileSide, tile / grid.columns * tileSide);
+        slicer.draw(band.splats.data() + first, count, projection);
+        slicer.march(image);
+      }
+      if (omp_get_thread_num() == 0 && options.progress && !aborted)
+      {
+        aborted = !options.progress(double(tile) / grid.size());
+      }
+    }
+  }
+  image.aborted = aborted;
+  if (image.aborted)
+  {
+    std::fill(image.radiance.begin(), image.radiance.end(), 0.0f);
+    std::fill(image.transmittance.begin(), image.transmittance.end(), 1.0f);
+  }
+  image.statistics.drawn = counts.drawn;
+  image.statistics.culled = counts.culled;
+  image.statistics.invalid = counts.invalid;
+  image.statistics.absorbers = counts.absorbers;
+  image.statistics.activeEffects = activeEffects(counts) + "; overlapping particles by slices";
+  image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
+  return image;
+}
+} // namespace galaxy

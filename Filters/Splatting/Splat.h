@@ -1,0 +1,72 @@
+#ifndef galaxy_Splat_h
+#define galaxy_Splat_h
+
+#include <cstdint>
+#include <cstring>
+
+namespace galaxy
+{
+/// What a splat does to the light behind it.
+enum class SplatKind : std::uint32_t
+{
+  Emits,   ///< adds `light`
+  Absorbs, ///< dims by the optical depth `light`
+  Slab,    ///< both; `light` says which particle it is (SlabName)
+};
+
+/// A particle on the image plane as a tile sees it: 32 bytes, of which a picture of many millions
+/// holds as many at a time as its memory allows.
+struct Splat
+{
+  std::uint32_t where; ///< pixel of the centre and kind, see pack()
+  float x, y;          ///< the centre in that pixel, 0 to 1: float then has digits for the smallest
+  float h;             ///< radius of the footprint, pixels
+  float depth;         ///< kpc: distance (perspective) or depth (parallel)
+  float light[3]; ///< luminosity, or cross-section, over the pixel's area at the particle (kpc^2)
+
+  /// Where counting in pixels stops: a centre farther off has the rest in x and y.
+  static constexpr int farPixel = 16000;
+
+  /// The pixel, from -farPixel to farPixel from the tile's corner, and the kind. One number, since
+  /// fields of bits would read memory in order to write it.
+  static std::uint32_t pack(int column, int row, SplatKind kind)
+  {
+    return static_cast<std::uint32_t>(column + 0x4000) |
+      static_cast<std::uint32_t>(row + 0x4000) << 15 | static_cast<std::uint32_t>(kind) << 30;
+  }
+  int column() const { return static_cast<int>(this->where & 0x7fff) - 0x4000; }
+  int row() const { return static_cast<int>(this->where >> 15 & 0x7fff) - 0x4000; }
+  SplatKind kind() const { return static_cast<SplatKind>(this->where >> 30); }
+};
+static_assert(sizeof(Splat) == 32, "two splats a cache line");
+
+/// What Splat::light holds of a slab.
+struct SlabName
+{
+  std::uint32_t particle;
+  float perArea; ///< what its light is multiplied with
+
+  void write(float* light) const
+  {
+    std::memcpy(light, &this->particle, sizeof(float));
+    light[1] = this->perArea;
+    light[2] = 0;
+  }
+  static SlabName of(const Splat& splat)
+  {
+    SlabName name;
+    std::memcpy(&name.particle, &splat.light[0], sizeof(float));
+    name.perArea = splat.light[1];
+    return name;
+  }
+};
+
+/// What a slab emits and absorbs, as Splat::light.
+struct SlabLight
+{
+  float e[3];
+  float t[3];
+};
+} // namespace galaxy
+
+#endif
