@@ -154,6 +154,9 @@ RenderOptions renderOptions(vtkSplatSettings& settings)
   RenderOptions options;
   options.kernel =
     settings.GetKernel() == vtkSplatSettings::CUBIC_SPLINE ? Kernel::CubicSpline : Kernel::Gaussian;
+  options.accuracy = settings.GetAccuracy() == vtkSplatSettings::OVERLAPPING ? Accuracy::Overlapping
+                                                                             : Accuracy::Sorted;
+  options.slices = settings.GetSlices();
   return options;
 }
 
@@ -164,6 +167,16 @@ std::string describe(const RenderStatistics& statistics)
   if (statistics.invalid)
   {
     text << ", " << statistics.invalid << " invalid";
+  }
+  if (statistics.thickest > 0)
+  {
+    // A pair of an emitter and an absorber of t that share one place is off by t/2 in Sorted.
+    text << "; thickest particle of optical depth " << statistics.thickest
+         << " (Sorted may be off by half of that where it overlaps light)";
+  }
+  if (statistics.coarse)
+  {
+    text << "; " << statistics.coarse << " tiles had too little room for so many slices";
   }
   for (const auto& stage : statistics.seconds)
   {

@@ -105,7 +105,7 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
     this->UpdateProgress(fraction);
     return !this->GetAbortExecute();
   };
-  const galaxy::RenderedImage image = galaxy::renderSorted(input.view, camera, options);
+  const galaxy::RenderedImage image = galaxy::render(input.view, camera, options);
   if (image.aborted)
   {
     return;

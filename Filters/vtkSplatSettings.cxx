@@ -101,5 +101,6 @@ void vtkSplatSettings::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "CubicSpline") << "\n";
-  os << indent << "Accuracy: Sorted\n";
+  os << indent << "Accuracy: " << (this->Accuracy == SORTED ? "Sorted" : "Overlapping") << "\n";
+  os << indent << "Slices: " << this->Slices << "\n";
 }

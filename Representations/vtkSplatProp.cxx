@@ -264,7 +264,7 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
   auto picture = std::make_unique<Picture>();
   galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
   options.opaqueDepth = depth.empty() ? nullptr : depth.data();
-  picture->image = galaxy::renderSorted(input.view, camera, options);
+  picture->image = galaxy::render(input.view, camera, options);
   picture->camera = camera;
   picture->opaqueDepth = std::move(depth);
   picture->inputTime = time;

@@ -25,7 +25,14 @@ struct Workspace
   std::vector<KeyedSlot> scratch;
   TileSums sums;
   double seconds[2] = { 0, 0 }; ///< sort, composite
+  float thickest = 0;
 };
+
+/// Through the middle of a Gaussian, or over the pixel that holds a small one.
+float opticalDepth(const Splat& splat, const float* t)
+{
+  return std::max({ t[0], t[1], t[2] }) * std::min(1.0F, 2.865F / (splat.h * splat.h));
+}
 
 /// One rendering.
 class Compositor
@@ -58,6 +65,7 @@ private:
   std::size_t splats = 0; ///< of all tiles
   std::atomic<std::size_t> done{ 0 };
   std::atomic<std::size_t> untouched{ 0 };
+  float thickest = 0;
   std::atomic<bool> aborted{ false };
   double seconds[4] = { 0, 0, 0, 0 }; ///< count, project, sort, composite
 };
@@ -140,9 +148,12 @@ void Compositor::renderBand(const TileDealer& dealer, RenderedImage& image)
       }
     }
 #pragma omp critical
-    for (int stage = 0; stage < 2; ++stage)
     {
-      seconds[stage] += work->seconds[stage];
+      for (int stage = 0; stage < 2; ++stage)
+      {
+        seconds[stage] += work->seconds[stage];
+      }
+      this->thickest = std::max(this->thickest, work->thickest);
     }
   }
   // Threads' times are shared out so that the stages add up to what the clock on the wall says.
@@ -181,6 +192,7 @@ TileTask Compositor::taskOf(int tile, Workspace& work)
     if (splat.kind() == SplatKind::Absorbs)
     {
       absorbs = true;
+      work.thickest = std::max(work.thickest, opticalDepth(splat, splat.light));
       isColored |= splat.light[0] != splat.light[1] || splat.light[1] != splat.light[2];
     }
     else if (splat.kind() == SplatKind::Emits)
@@ -191,6 +203,7 @@ TileTask Compositor::taskOf(int tile, Workspace& work)
     {
       const SlabLight slab = task.slabLight(splat);
       absorbs = true;
+      work.thickest = std::max(work.thickest, opticalDepth(splat, slab.t));
       isColored |= slab.t[0] != slab.t[1] || slab.t[1] != slab.t[2];
       task.brightest = std::max({ task.brightest, slab.e[0], slab.e[1], slab.e[2] });
     }
@@ -264,6 +277,7 @@ void Compositor::describe(RenderedImage& image) const
   statistics.invalid = this->counts.invalid;
   statistics.absorbers = this->counts.absorbers;
   statistics.untouched = this->untouched;
+  statistics.thickest = this->thickest;
   statistics.activeEffects = activeEffects(this->counts);
   const char* names[] = { "count", "project", "sort", "composite" };
   for (int stage = 0; stage < 4; ++stage)

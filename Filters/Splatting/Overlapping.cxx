@@ -72,6 +72,9 @@ public:
     }
   }
 
+  /// Whether there are fewer slices than the options ask for.
+  bool isCoarse() const { return this->slices.count == mostSlices; }
+
   void march(RenderedImage& image) const
   {
     for (int y = 0; y < this->rows; ++y)
@@ -124,7 +127,9 @@ private:
       : this->camera.scale * this->rayThrough(ball.x, ball.y).length() / ball.distance;
     // The spline of support h has the variance of a Gaussian exp(-x^2/sigma^2) of this sigma.
     const double inH = this->options.kernel == Kernel::Gaussian ? 1.0 / 3 : 0.3873;
-    ball.sigma = inH * ball.h / pixelsPerKpc;
+    // A point keeps a width of its own, so that it has a place among the slices.
+    const double least = 1e-7 * std::max(1e-3, std::abs(ball.distance));
+    ball.sigma = std::max(inH * ball.h / pixelsPerKpc, least);
     return ball;
   }
 
@@ -245,6 +250,7 @@ RenderedImage renderOverlapping(
   ProjectionCounts counts = dealer.missing();
   TileBand band;
   std::atomic<bool> aborted{ options.progress && !options.progress(0) };
+  std::atomic<std::size_t> coarse{ 0 };
   const std::vector<int> bands = dealer.bands(12 * particles.size + (std::size_t(64) << 20));
   for (std::size_t k = 0; k + 1 < bands.size() && !aborted; ++k)
   {
@@ -261,6 +267,7 @@ RenderedImage renderOverlapping(
           camera, options, tile % grid.columns * tileSide, tile / grid.columns * tileSide);
         slicer.draw(band.splats.data() + first, count, projection);
         slicer.march(image);
+        coarse += slicer.isCoarse();
       }
       if (omp_get_thread_num() == 0 && options.progress && !aborted)
       {
@@ -278,6 +285,7 @@ RenderedImage renderOverlapping(
   image.statistics.culled = counts.culled;
   image.statistics.invalid = counts.invalid;
   image.statistics.absorbers = counts.absorbers;
+  image.statistics.coarse = coarse;
   image.statistics.activeEffects = activeEffects(counts) + "; overlapping particles by slices";
   image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
   return image;

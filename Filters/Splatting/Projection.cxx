@@ -90,6 +90,74 @@ double Projection::radius(std::size_t i) const
   return this->particles.smoothingLength[i] * this->factors(i).size;
 }
 
+namespace
+{
+/// Sorts a particle's light into the block.
+inline void setLight(const ParticleLight& light, std::size_t i, int k, float perArea, LitBlock& lit)
+{
+  const bool emits = light.emits(), absorbs = light.absorbs();
+  const float* shown = absorbs ? light.K : light.L;
+  for (int c = 0; c < 3; ++c)
+  {
+    lit.light[c][k] = shown[c] * perArea;
+  }
+  lit.kind[k] = !absorbs ? SplatKind::Emits : emits ? SplatKind::Slab : SplatKind::Absorbs;
+  lit.fate[k] = !absorbs ? LitBlock::Drawn : light.grey() ? LitBlock::Grey : LitBlock::Colored;
+  // Luminosity per pixel area must stay finite in float.
+  const bool isShown = (emits || absorbs) && light.most() * perArea < 1e37F;
+  const bool isValid = light.valid();
+  if (!isValid || !isShown)
+  {
+    lit.fate[k] = isValid ? LitBlock::Culled : LitBlock::Invalid;
+    lit.kind[k] = SplatKind::Emits;
+    lit.light[0][k] = lit.light[1][k] = lit.light[2][k] = 0;
+  }
+  else if (emits && absorbs)
+  {
+    float name[3];
+    SlabName{ static_cast<std::uint32_t>(i), perArea }.write(name);
+    for (int c = 0; c < 3; ++c)
+    {
+      lit.light[c][k] = name[c];
+    }
+  }
+}
+} // namespace
+
+void Projection::light(std::size_t i, int k, float perArea, LitBlock& lit) const
+{
+  setLight(this->light(i), i, k, perArea, lit);
+}
+
+void Projection::light(std::size_t first, const std::uint16_t* which, int count,
+  const float* perArea, LitBlock& lit) const
+{
+  const ParticleView& p = this->particles;
+  const bool isPlain = p.emission && p.absorption && this->emissionStep == 1 &&
+    this->absorptionStep == 1 && this->table.size() == 1;
+  if (!isPlain)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      setLight(this->light(first + which[k]), first + which[k], k, perArea[k], lit);
+    }
+    return;
+  }
+  // The most common arrays, with nothing to look up.
+  const float brightness = this->table[0].brightness;
+  for (int k = 0; k < count; ++k)
+  {
+    const std::size_t i = first + which[k];
+    ParticleLight light;
+    for (int c = 0; c < 3; ++c)
+    {
+      light.L[c] = brightness * p.emission[3 * i + c];
+      light.K[c] = brightness * p.absorption[3 * i + c];
+    }
+    setLight(light, i, k, perArea[k], lit);
+  }
+}
+
 bool Projection::valid(std::size_t i, const ParticleLight& light) const
 {
   const float* p = this->particles.position + 3 * i;

@@ -2,6 +2,7 @@
 #define galaxy_Projection_h
 
 #include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Splat.h"
 
 #include <algorithm>
 #include <limits>
@@ -44,6 +45,7 @@ struct PixelBox
   bool empty() const { return this->x0 >= this->x1 || this->y0 >= this->y1; }
 };
 
+/// What happened to how many particles.
 struct ProjectionCounts
 {
   std::size_t drawn = 0;
@@ -53,6 +55,35 @@ struct ProjectionCounts
   std::size_t absorbers = 0;
   std::size_t colored = 0; ///< absorbers whose channels differ
   ProjectionCounts& operator+=(const ProjectionCounts& other);
+};
+
+/// The light of the particles of a block, by kind, over the pixel's area.
+struct LitBlock
+{
+  static constexpr int most = 1024;
+  enum Fate : std::uint8_t
+  {
+    Drawn,
+    Grey,    ///< drawn, an absorber whose channels are equal
+    Colored, ///< drawn, an absorber whose channels differ
+    Culled,
+    Invalid,
+  };
+
+  float light[3][most]; ///< Splat::light
+  SplatKind kind[most];
+  Fate fate[most];
+
+  void count(int k, ProjectionCounts& counts) const
+  {
+    const Fate f = this->fate[k];
+    counts.drawn += f <= Colored;
+    counts.culled += f == Culled;
+    counts.invalid += f == Invalid;
+    counts.emitters += f <= Colored && this->kind[k] != SplatKind::Absorbs;
+    counts.absorbers += f == Grey || f == Colored;
+    counts.colored += f == Colored;
+  }
 };
 
 /// Particles seen through a camera.
@@ -95,6 +126,12 @@ public:
     }
     return light;
   }
+
+  /// The same, times the inverse areas of the pixels there, of particles first + which[k].
+  void light(std::size_t first, const std::uint16_t* which, int count, const float* perArea,
+    LitBlock& lit) const;
+  /// Of one particle, as the block's k-th.
+  void light(std::size_t i, int k, float perArea, LitBlock& lit) const;
 
   /// The smoothing length drawn, kpc.
   double radius(std::size_t i) const;

@@ -73,7 +73,8 @@ struct RenderStatistics
   std::size_t invalid = 0;   ///< NaN, infinite or negative where that has no meaning
   std::size_t absorbers = 0; ///< of those drawn
   std::size_t untouched = 0; ///< splats in tiles behind what lets no light through
-  double thickest = 0;       ///< the largest optical depth through the middle of one particle
+  double thickest = 0;       ///< the largest optical depth of one particle (Sorted)
+  std::size_t coarse = 0;    ///< tiles with fewer slices than asked for (Overlapping)
   std::vector<std::pair<std::string, double>> seconds; ///< by stage
   std::string activeEffects;                           ///< what the scene called for, in words
 };

@@ -152,8 +152,9 @@ void locateVectors(
     const auto isOne = hn::And(hn::Eq(column0, column1), hn::Eq(row0, row1));
     const auto isSome = hn::And(hn::Gt(columns.end, columns.first), hn::Gt(rows.end, rows.first));
     const auto code = [](std::uint32_t c) { return hn::Set(ints, static_cast<std::int32_t>(c)); };
+    const auto several = hn::Or(code(TileHome::several), hn::Or(hn::ShiftLeft<15>(row1), row0));
     const auto home =
-      hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, code(inSeveral)), code(nowhere));
+      hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, several), code(TileHome::nowhere));
     hn::StoreU(home, ints, reinterpret_cast<std::int32_t*>(tiles.home) + k);
     if (!hn::AllTrue(wide, seen.isSane))
     {
@@ -161,7 +162,7 @@ void locateVectors(
       hn::StoreU(hn::IfThenElse(seen.isSane, hn::Zero(wide), hn::Set(wide, 1.0)), wide, odd);
       for (std::size_t lane = 0; lane < hn::Lanes(wide); ++lane)
       {
-        tiles.home[k + lane] = odd[lane] > 0 ? isOdd : tiles.home[k + lane];
+        tiles.home[k + lane] = odd[lane] > 0 ? TileHome::odd : tiles.home[k + lane];
       }
     }
   }

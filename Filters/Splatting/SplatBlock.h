@@ -26,17 +26,25 @@ struct BlockPlaces
   }
 };
 
-/// What takes a tile's place where a particle has no single one.
-constexpr std::uint32_t nowhere = UINT32_MAX;       ///< off the image or behind the eye
-constexpr std::uint32_t inSeveral = UINT32_MAX - 1; ///< of several tiles
-constexpr std::uint32_t isOdd = UINT32_MAX - 2;     ///< NaN, infinite or negative: not for vectors
+/// Where a particle is drawn, in four bytes: in one tile (its row times the grid's columns plus its
+/// column), in several, of which the first and the last row are kept, or as below.
+struct TileHome
+{
+  static constexpr std::uint32_t nowhere = UINT32_MAX; ///< off the image or behind the eye
+  static constexpr std::uint32_t odd = UINT32_MAX - 1; ///< NaN, infinite, negative: not for vectors
+  static constexpr std::uint32_t several = 1U << 31;
+
+  static bool isOne(std::uint32_t home) { return home < several; }
+  static int row0(std::uint32_t home) { return static_cast<int>(home & 0x7fff); }
+  static int row1(std::uint32_t home) { return static_cast<int>(home >> 15 & 0x7fff); }
+};
 
 /// The tiles that the particles touch.
 struct BlockTiles
 {
   static constexpr int most = BlockPlaces::most;
 
-  std::uint32_t home[most]; ///< the tile, its row times the grid's columns plus its column
+  std::uint32_t home[most];                                          ///< a TileHome
   std::int32_t column0[most], row0[most], column1[most], row1[most]; ///< the last ones included
 };
 
@@ -54,7 +62,7 @@ struct SplatBlock
 };
 
 /// Both project `count` particles by vectors, in double precision, since a camera may be
-/// megaparsecs from the origin. Where BlockTiles::home is nowhere or isOdd the rest means nothing.
+/// megaparsecs from the origin. Where BlockTiles::home is nowhere or odd the rest means nothing.
 void locateBlock(
   const BlockPlaces& places, int count, const Camera& camera, int gridColumns, BlockTiles& tiles);
 void projectBlock(

@@ -21,13 +21,9 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<float, 16>;
+using Tag = hn::CappedTag<float, 8>; ///< more lanes would run over the edges of most splats
 using V = hn::Vec<Tag>;
 constexpr Tag tag;
-using HalfTag = hn::Rebind<float, hn::CappedTag<double, 8>>;
-
-using SmallTag = hn::CappedTag<float, 8>; ///< of footprints of few pixels
-constexpr SmallTag smallTag;
 
 template <class D>
 HWY_INLINE int lanes(D d)
@@ -279,7 +275,7 @@ private:
 class SmallGaussian
 {
 public:
-  using D = SmallTag;
+  using D = Tag;
   using Vector = hn::Vec<D>;
   static constexpr int batch = static_cast<int>(hn::MaxLanes(D()));
   static constexpr int mostPixels = 8; ///< along each axis
@@ -454,7 +450,7 @@ public:
   {
     Footprint footprint;
     std::size_t k = 0;
-    for (; k < this->task.count && !this->moveBefore(k, 1); ++k)
+    for (; k < this->task.count && !this->endsBefore(k, 1); ++k)
     {
       const Splat& splat = this->next(k);
       if (footprint.prepare(splat))
@@ -462,8 +458,7 @@ public:
         this->draw(splat, footprint);
       }
     }
-    this->moveLight();
-    this->moveTau();
+    this->finish();
     return k;
   }
 
@@ -474,7 +469,7 @@ public:
     Gaussian wide;
     std::size_t k = 0;
     this->fetch(0, batches[0]);
-    for (int turn = 0; k < this->task.count && !this->moveBefore(k, SmallBatch::size);
+    for (int turn = 0; k < this->task.count && !this->endsBefore(k, SmallBatch::size);
          k += SmallBatch::size, turn ^= 1)
     {
       // What is fetched now has long been written when it is read as vectors.
@@ -499,15 +494,18 @@ public:
         }
       }
     }
-    this->moveLight();
-    this->moveTau();
+    this->finish();
     return std::min(k, this->task.count);
   }
 
 private:
-  /// Contributions that are all rounded alike drift by 2^-25 each: 1e-6 in so many.
-  static constexpr std::size_t lightMovesAfter = 64;
-  static constexpr std::size_t tauMovesAfter = 512;
+  /// Sums move to double by blocks of 8 x 8 pixels, each after so many splats that touched it:
+  /// contributions that are all rounded alike drift by 2^-25 each, 1e-6 in so many.
+  static constexpr int blockSide = 8;
+  static constexpr int blocks = tileSide / blockSide;
+  static constexpr int lightMovesAfter = 64;
+  static constexpr int tauMovesAfter = 256;
+  static constexpr std::size_t looksAfter = 2048;
   /// An absorber too thin for single precision to see beside 1 is left to the optical depth's sum;
   /// the transmittance, which waits for that, is never more than this behind.
   static constexpr float thinnestSeen = 0x1p-20F;
@@ -517,19 +515,11 @@ private:
     : absorption == TileAbsorption::Grey                           ? 1
                                                                    : 3;
 
-  /// Moves sums where it is time to before splat k; true if the rest is negligible.
-  HWY_INLINE bool moveBefore(std::size_t k, std::size_t step)
+  /// Now and then, before splat k: true if the rest is negligible.
+  HWY_INLINE bool endsBefore(std::size_t k, std::size_t step)
   {
-    if (k % lightMovesAfter < step && k > 0)
-    {
-      this->moveLight();
-    }
-    if (planes > 0 && k % tauMovesAfter < step && k > 0)
-    {
-      this->moveTau();
-      return this->restIsNegligible(this->task.count - k);
-    }
-    return false;
+    return planes > 0 && k % looksAfter < step && k > 0 &&
+      this->restIsNegligible(this->task.count - k);
   }
 
   HWY_INLINE void fetch(std::size_t k, SmallBatch& batch) const
@@ -556,6 +546,7 @@ private:
   template <class Footprint>
   HWY_INLINE void draw(const Splat& splat, const Footprint& footprint)
   {
+    this->countHits(footprint.box, splat.kind() != SplatKind::Emits);
     if (splat.kind() == SplatKind::Emits)
     {
       this->emit(splat, splat.light, footprint);
@@ -575,7 +566,7 @@ private:
         this->unseen += thickest;
         if (this->unseen > thinnestSeen)
         {
-          this->moveTau();
+          this->moveAllTau();
         }
         return;
       }
@@ -583,6 +574,27 @@ private:
       emits                 ? this->pass<true, false>(splat, light, footprint)
         : thickest < 0.125F ? this->pass<false, true>(splat, light, footprint)
                             : this->pass<false, false>(splat, light, footprint);
+    }
+  }
+
+  /// Counts the splat in the blocks that it touches, and moves those that have had enough.
+  HWY_INLINE void countHits(const Box& box, bool absorbs)
+  {
+    const int column1 = (box.x0 + box.columns - 1) / blockSide;
+    const int row1 = (box.y0 + box.rows - 1) / blockSide;
+    for (int row = box.y0 / blockSide; row <= row1; ++row)
+    {
+      for (int column = box.x0 / blockSide; column <= column1; ++column)
+      {
+        if (++this->hits[row][column] == lightMovesAfter)
+        {
+          this->moveLight(column, row);
+        }
+        if (planes > 0 && absorbs && ++this->veils[row][column] == tauMovesAfter)
+        {
+          this->moveTau(column, row);
+        }
+      }
     }
   }
 
@@ -706,13 +718,12 @@ private:
     }
   }
 
-  /// Adds what float holds to a plane in double and clears it.
+  /// Adds what float holds of a block's row to double and clears it.
   static HWY_INLINE void moveRow(float* recent, double* sum)
   {
-    const hn::CappedTag<double, 8> wide;
-    const HalfTag half;
-    const int N = static_cast<int>(hn::Lanes(wide));
-    for (int x = 0; x < tileSide; x += N)
+    const hn::CappedTag<double, 4> wide;
+    const hn::Rebind<float, hn::CappedTag<double, 4>> half;
+    for (int x = 0; x < blockSide; x += lanes(wide))
     {
       const auto more = hn::PromoteTo(wide, hn::LoadU(half, recent + x));
       hn::StoreU(hn::Add(hn::LoadU(wide, sum + x), more), wide, sum + x);
@@ -720,39 +731,60 @@ private:
     }
   }
 
-  HWY_NOINLINE void moveLight()
+  HWY_NOINLINE void moveLight(int column, int row)
   {
+    this->hits[row][column] = 0;
     for (int c = 0; c < 3; ++c)
     {
-      for (int y = 0; y < tileSide; ++y)
+      for (int y = row * blockSide; y < (row + 1) * blockSide; ++y)
       {
-        moveRow(this->sums.recentLight.values[c][y], this->sums.light.values[c][y]);
+        moveRow(&this->sums.recentLight.values[c][y][column * blockSide],
+          &this->sums.light.values[c][y][column * blockSide]);
       }
     }
   }
 
   /// Moves the optical depth and makes the transmittance anew.
-  HWY_NOINLINE void moveTau()
+  HWY_NOINLINE void moveTau(int column, int row)
   {
-    this->unseen = 0;
+    this->veils[row][column] = 0;
     for (int c = 0; c < planes; ++c)
     {
-      for (int y = 0; y < tileSide; ++y)
+      for (int y = row * blockSide; y < (row + 1) * blockSide; ++y)
       {
-        double* tau = this->sums.tau.values[c][y];
-        moveRow(this->sums.recentTau.values[c][y], tau);
-        HWY_ALIGN float depth[tileSide];
-        for (int x = 0; x < tileSide; ++x)
+        const int first = column * blockSide;
+        double* tau = &this->sums.tau.values[c][y][first];
+        moveRow(&this->sums.recentTau.values[c][y][first], tau);
+        HWY_ALIGN float depth[blockSide];
+        for (int x = 0; x < blockSide; ++x)
         {
           depth[x] = static_cast<float>(tau[x]);
         }
-        for (int x = 0; x < tileSide; x += lanes())
+        for (int x = 0; x < blockSide; x += lanes())
         {
           hn::StoreU(hn::Exp(tag, hn::Neg(hn::LoadU(tag, depth + x))), tag,
-            &this->sums.through.values[c][y][x]);
+            &this->sums.through.values[c][y][first + x]);
         }
       }
     }
+  }
+
+  void moveAllTau()
+  {
+    this->unseen = 0;
+    for (int block = 0; block < blocks * blocks; ++block)
+    {
+      this->moveTau(block % blocks, block / blocks);
+    }
+  }
+
+  void finish()
+  {
+    for (int block = 0; block < blocks * blocks; ++block)
+    {
+      this->moveLight(block % blocks, block / blocks);
+    }
+    this->moveAllTau();
   }
 
   bool restIsNegligible(std::size_t rest) const
@@ -772,6 +804,8 @@ private:
   const TileTask& task;
   TileSums& sums;
   float unseen = 0; ///< optical depth that the transmittance may be behind
+  int hits[blocks][blocks] = {};
+  int veils[blocks][blocks] = {};
 };
 
 template <TileAbsorption absorption, bool hasOpaque>

@@ -8,7 +8,7 @@ namespace galaxy
 /// Pixels of a tile along each side: its float sums then stay in the first cache of a core.
 constexpr int tileSide = 32;
 /// A row of sums, and what a vector that begins in it may touch beyond.
-constexpr int tileStride = tileSide + 16;
+constexpr int tileStride = tileSide + 8;
 
 /// A number for every pixel and channel of a tile.
 template <typename Real>

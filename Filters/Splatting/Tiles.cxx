@@ -39,6 +39,7 @@ public:
     , begin(shareBegin(dealer.projection.size(), part, parts))
     , end(shareBegin(dealer.projection.size(), part + 1, parts))
     , block(new SplatBlock)
+    , lit(new LitBlock)
   {
   }
 
@@ -65,28 +66,30 @@ public:
   /// `place` says, for every tile of the band, where this share's next splat goes.
   void deal(std::vector<std::size_t>& place, TileBand& band, ProjectionCounts& counts)
   {
-    const auto first = static_cast<std::uint32_t>(band.firstTile);
-    const auto width = static_cast<std::uint32_t>(band.lastTile - band.firstTile);
-    std::uint16_t wanted[SplatBlock::most];
+    const Projection& projection = this->dealer.projection;
     for (std::size_t i = this->begin; i < this->end; i += SplatBlock::most)
     {
       const int size = this->sizeAt(i);
       const std::uint32_t* home = &this->dealer.home[i];
-      int count = 0;
-      for (int k = 0; k < size; ++k)
+      const int count = this->listWanted(home, size, band);
+      if (count == 0)
       {
-        wanted[count] = static_cast<std::uint16_t>(k);
-        count += home[k] - first < width || home[k] - isOdd < nowhere - isOdd;
+        continue;
       }
-      const float* radius = this->dealer.projection.radii(i, size, this->scaledRadii);
+      const float* radius = projection.radii(i, size, this->scaledRadii);
       for (int k = 0; k < count; ++k)
       {
-        this->places.set(k, this->dealer.projection.position(i + wanted[k]), radius[wanted[k]]);
+        const int j = this->wanted[k];
+        this->places.set(k, projection.position(i + j), radius[j]);
       }
       projectBlock(this->places, count, this->dealer.camera, this->dealer.kernel, *this->block);
+      projection.light(i, this->wanted, count, this->block->perArea, *this->lit);
       for (int k = 0; k < count; ++k)
       {
-        this->dealOne(i + wanted[k], k, home[wanted[k]], place, band, counts);
+        const int j = this->wanted[k];
+        TileHome::isOne(home[j])
+          ? this->dealToOne(k, static_cast<int>(home[j]), place, band, counts)
+          : this->dealToSeveral(i + j, k, home[j] == TileHome::odd, place, band, counts);
       }
     }
   }
@@ -97,30 +100,55 @@ private:
     return static_cast<int>(std::min<std::size_t>(SplatBlock::most, this->end - i));
   }
 
+  /// Lists the particles of a block that the band may want; their number.
+  int listWanted(const std::uint32_t* home, int size, const TileBand& band)
+  {
+    const auto first = static_cast<std::uint32_t>(band.firstTile);
+    const auto width = static_cast<std::uint32_t>(band.lastTile - band.firstTile);
+    const int row0 = this->firstRow(band), row1 = this->lastRow(band);
+    int count = 0;
+    for (int k = 0; k < size; ++k)
+    {
+      this->wanted[count] = static_cast<std::uint16_t>(k);
+      const std::uint32_t h = home[k];
+      const bool isHere = TileHome::isOne(h) ? h - first < width
+        : h >= TileHome::odd                 ? h == TileHome::odd
+                             : TileHome::row0(h) <= row1 && TileHome::row1(h) >= row0;
+      count += isHere;
+    }
+    return count;
+  }
+
+  int firstRow(const TileBand& band) const { return band.firstTile / this->dealer.tiles.columns; }
+  int lastRow(const TileBand& band) const
+  {
+    return (band.lastTile - 1) / this->dealer.tiles.columns;
+  }
+
   /// Counts particle i in the tiles that it may touch, and says where it is.
   std::uint32_t countOne(std::size_t i, const BlockTiles& tiles, int k,
     std::vector<std::uint32_t>& counts, ProjectionCounts& absent) const
   {
     const std::uint32_t home = tiles.home[k];
-    if (home == nowhere || (home != isOdd && !this->dealer.projection.visible(i)))
+    if (home == TileHome::nowhere || (home != TileHome::odd && !this->dealer.projection.visible(i)))
     {
       ++absent.culled;
-      return nowhere;
+      return TileHome::nowhere;
     }
-    if (home < isOdd)
+    if (TileHome::isOne(home))
     {
       ++counts[home];
       return home;
     }
     TileRange range = { tiles.column0[k], tiles.row0[k], tiles.column1[k], tiles.row1[k] };
-    if (home == isOdd)
+    if (home == TileHome::odd)
     {
       ProjectionCounts one;
       const PixelBox box = this->dealer.projection.classify(i, one);
       if (box.empty())
       {
         absent += one;
-        return nowhere;
+        return TileHome::nowhere;
       }
       range = TileRange::of(box);
     }
@@ -141,87 +169,61 @@ private:
     }
   }
 
-  void dealOne(std::size_t i, int k, std::uint32_t home, std::vector<std::size_t>& place,
+  /// The k-th particle of the block, all of it in one tile.
+  void dealToOne(int k, int tile, std::vector<std::size_t>& place, TileBand& band,
+    ProjectionCounts& counts) const
+  {
+    const int columns = this->dealer.tiles.columns;
+    this->lit->count(k, counts);
+    this->write(k, tile % columns * tileSide, tile / columns * tileSide,
+      band.splats[place[tile - band.firstTile]++]);
+  }
+
+  void dealToSeveral(std::size_t i, int k, bool isOdd, std::vector<std::size_t>& place,
     TileBand& band, ProjectionCounts& counts)
   {
-    if (home < isOdd)
-    {
-      const int columns = this->dealer.tiles.columns;
-      const auto tile = static_cast<int>(home);
-      const SplatKind kind = this->light(i, k, counts, this->lit);
-      this->write(k, tile % columns * tileSide, tile / columns * tileSide, kind,
-        band.splats[place[tile - band.firstTile]++]);
-      return;
-    }
     const SplatBlock& b = *this->block;
     PixelBox box = { b.x0[k], b.y0[k], b.x1[k], b.y1[k] };
-    if (home == isOdd)
+    if (isOdd)
     {
       ProjectionCounts known;
       box = this->dealer.projection.classify(i, known);
       this->dealer.projection.place(i, this->dealer.kernel, *this->block, k);
+      this->dealer.projection.light(i, k, b.perArea[k], *this->lit);
     }
+    TileRange range = TileRange::of(box);
     // A particle counts in the band that has its first tile.
-    const TileRange range = TileRange::of(box);
-    const int firstTile = range.row0 * this->dealer.tiles.columns + range.column0;
-    ProjectionCounts ignored;
-    const SplatKind kind = this->light(i, k, band.has(firstTile) ? counts : ignored, this->lit);
+    if (band.has(range.row0 * this->dealer.tiles.columns + range.column0))
+    {
+      this->lit->count(k, counts);
+    }
+    range.row0 = std::max(range.row0, this->firstRow(band));
+    range.row1 = std::min(range.row1, this->lastRow(band));
     this->forEachTile(range, [&](int tile, int left, int bottom) {
       if (band.has(tile))
       {
-        this->write(k, left, bottom, kind, band.splats[place[tile - band.firstTile]++]);
+        this->write(k, left, bottom, band.splats[place[tile - band.firstTile]++]);
       }
     });
   }
 
   /// Writes the splat as the tile with this left and lower pixel sees it.
-  void write(int k, int left, int bottom, SplatKind kind, Splat& splat) const
+  void write(int k, int left, int bottom, Splat& splat) const
   {
     const SplatBlock& b = *this->block;
     const int column = std::clamp(b.column[k] - left, -Splat::farPixel, Splat::farPixel);
     const int row = std::clamp(b.row[k] - bottom, -Splat::farPixel, Splat::farPixel);
-    splat.where = Splat::pack(column, row, kind);
+    splat.where = Splat::pack(column, row, this->lit->kind[k]);
     splat.x = b.x[k] + static_cast<float>(b.column[k] - left - column);
     splat.y = b.y[k] + static_cast<float>(b.row[k] - bottom - row);
     splat.h = b.h[k];
     splat.depth = b.depth[k];
-    splat.light[0] = this->lit[0];
-    splat.light[1] = this->lit[1];
-    splat.light[2] = this->lit[2];
-  }
-
-  /// The light over the pixel's area and what it does; none if the particle has no effect.
-  SplatKind light(std::size_t i, int k, ProjectionCounts& counts, float* lit) const
-  {
-    const ParticleLight light = this->dealer.projection.light(i);
-    const float perArea = this->block->perArea[k];
-    const bool emits = light.emits(), absorbs = light.absorbs();
-    const bool isValid = light.valid();
-    // Luminosity per pixel area must stay finite in float.
-    if (!isValid || !(emits || absorbs) || !(light.most() * perArea < 1e37F))
-    {
-      ++(isValid ? counts.culled : counts.invalid);
-      std::fill_n(lit, 3, 0.0F);
-      return SplatKind::Emits;
-    }
-    ++counts.drawn;
-    counts.emitters += emits;
-    for (int c = 0; c < 3; ++c)
-    {
-      lit[c] = (absorbs ? light.K[c] : light.L[c]) * perArea;
-    }
-    if (!absorbs)
-    {
-      return SplatKind::Emits;
-    }
-    ++counts.absorbers;
-    counts.colored += !light.grey();
-    if (!emits)
-    {
-      return SplatKind::Absorbs;
-    }
-    SlabName{ static_cast<std::uint32_t>(i), perArea }.write(lit);
-    return SplatKind::Slab;
+    splat.light[0] = this->lit->light[0][k];
+    splat.light[1] = this->lit->light[1][k];
+    splat.light[2] = this->lit->light[2][k];
+    // Hundreds of tiles take turns: the line that this one's next splats will need can come until
+    // then, where a store would wait for it.
+    __builtin_prefetch(&splat + 4, 1);
   }
 
   const TileDealer& dealer;
@@ -229,7 +231,8 @@ private:
   std::unique_ptr<SplatBlock> block;
   BlockPlaces places = {};
   float scaledRadii[SplatBlock::most];
-  float lit[3]; ///< of the particle that is dealt
+  std::unique_ptr<LitBlock> lit;
+  std::uint16_t wanted[SplatBlock::most];
 };
 
 TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Kernel kernel_)
@@ -241,9 +244,9 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ker
   , counts(omp_get_max_threads(), std::vector<std::uint32_t>(this->tiles.size()))
   , totals(this->tiles.size())
 {
-  if (projection.size() > UINT32_MAX - 2)
+  if (projection.size() > UINT32_MAX)
   {
-    throw Error("particles", "", "more than 2^32 - 3 in one rendering; render fewer at a time");
+    throw Error("particles", "", "more than 2^32 - 1 in one rendering; render fewer at a time");
   }
   const std::size_t parts = this->counts.size();
   std::vector<ProjectionCounts> absences(parts);

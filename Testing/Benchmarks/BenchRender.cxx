@@ -1,7 +1,7 @@
 // Seconds a frame, by stage, for six views of one galaxy.
-// Use: galaxy_bench_render [N | SCENE.f32] [repeats]. N synthetic particles, or a scene file of
-// nine float32 arrays x y z h I R G B type one after the other (kpc; type 0 gas, 2 dust, others
-// stars).
+// Use: galaxy_bench_render [N | SCENE.f32] [repeats] [Gaussian | spline] [VIEW], where VIEW is a
+// part of a view's name, such as stars. N synthetic particles, or a scene file of nine float32
+// arrays x y z h I R G B type one after the other (kpc; type 0 gas, 2 dust, others stars).
 #include "Filters/Splatting/Render.h"
 
 #include <algorithm>
@@ -113,9 +113,16 @@ Camera benchCamera(bool edgeOn, double halfWidth)
   return Camera::lookAt(eye, {}, up, false, 1, angle, 1024, 1024);
 }
 
+/// The views whose names have this in them are drawn.
+std::string wantedViews;
+
 void benchView(const Scene& scene, const char* name, bool edgeOn, double halfWidth, bool gas,
   int repeats, const RenderOptions& options)
 {
+  if (std::string(name).find(wantedViews) == std::string::npos)
+  {
+    return;
+  }
   RenderedImage best;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < repeats; ++k)
@@ -156,6 +163,7 @@ int main(int argc, char** argv)
   RenderOptions options;
   options.kernel =
     argc > 3 && std::string(argv[3]) == "spline" ? Kernel::CubicSpline : Kernel::Gaussian;
+  wantedViews = argc > 4 ? argv[4] : "";
   std::printf("%zu particles, 1024 x 1024, least of %d\n", scene.size, repeats);
   benchView(scene, "face-on, 84 kpc", false, 42, true, repeats, options);
   benchView(scene, "edge-on, 84 kpc", true, 42, true, repeats, options);

@@ -287,4 +287,37 @@ TEST(RenderInvariance, EmissionAndAbsorptionReplaceIntensityAndColor)
   EXPECT_EQ(renderSorted(view, testCamera(true)).statistics.activeEffects,
     "emission; grey absorption; depth order among 1 absorbers and 2 emitters");
 }
+TEST(RenderInvariance, BehindWhatLetsNothingThroughNothingIsDrawn)
+{
+  // A wall over the whole view, tau of some hundred, and ten thousand lights behind it.
+  Scene scene = randomScene(10000, false);
+  for (std::size_t i = 0; i < scene.h.size(); ++i)
+  {
+    scene.position[3 * i] *= 0.1f;
+    scene.position[3 * i + 1] *= 0.1f;
+    scene.position[3 * i + 2] -= 30;
+  }
+  for (int k = 0; k < 20; ++k)
+  {
+    scene.add({ 0, 0, -10.0 + 0.1 * k }, 60, {}, { 2e4f, 2e4f, 2e4f });
+  }
+  scene.add({ 0, 0, 5 }, 3, { 1, 2, 3 });
+  const auto image = renderSorted(scene.view(), testCamera(true, 24, 24));
+  const auto slow = renderReference(scene.view(), testCamera(true, 24, 24));
+  EXPECT_GT(image.statistics.untouched, 5000u);
+  EXPECT_LT(largestDifference(image.radiance, slow.radiance), 1e-6 * largest(slow.radiance));
+  EXPECT_EQ(largest(image.transmittance), 0);
+  // Where more than nothing would come through, all is drawn unless it is said to be negligible.
+  for (std::size_t i = 0; i < scene.absorption.size(); ++i)
+  {
+    scene.absorption[i] *= 0.1f;
+  }
+  RenderOptions options;
+  EXPECT_EQ(renderSorted(scene.view(), testCamera(true, 24, 24), options).statistics.untouched, 0u);
+  options.negligible = 1e-3;
+  const auto less = renderSorted(scene.view(), testCamera(true, 24, 24), options);
+  const auto all = renderReference(scene.view(), testCamera(true, 24, 24));
+  EXPECT_GT(less.statistics.untouched, 5000u);
+  EXPECT_LT(largestDifference(less.radiance, all.radiance), options.negligible);
+}
 } // namespace

@@ -57,6 +57,26 @@ class SplatImage(unittest.TestCase):
         phi = [1, (1 - np.exp(-1e-3)) / 1e-3, (1 - np.exp(-5)) / 5]
         np.testing.assert_allclose(radiance[CENTRE], e * G * np.array(phi), rtol=3e-3)
 
+    def test_particles_in_one_place_share_their_path(self):
+        # Evenly mixed, light and dust of tau 3 let phi(3) through; one after the other, all or
+        # exp(-3) of it.
+        t = 3.0
+        source = gt.particles(
+            [[0, 0, 0], [0, 0, 0]], [H, H],
+            Emission=np.array([[1, 1, 1], [0, 0, 0]], dtype=np.float32),
+            Absorption=np.array([[0, 0, 0], [t / G] * 3], dtype=np.float32),
+        )
+        mixed = (1 - np.exp(-t)) / t
+        for accuracy, slices, expected, rtol in (
+            ("Sorted", 4, np.exp(-t), 1e-2), ("Overlapping", 4, mixed, 3e-3),
+            ("Overlapping", 0.5, mixed, 3e-3),  # one source function: right by any slices
+        ):
+            radiance, transmittance = gt.splat(
+                source, SIZE, Accuracy=accuracy, Slices=slices, **SIGNATURE)
+            np.testing.assert_allclose(radiance[CENTRE], G * expected, rtol=rtol)
+            np.testing.assert_allclose(transmittance[CENTRE], np.exp(-t), rtol=1e-2)
+        self.assertIn("slices", gt.splat.effects)
+
     def test_intensity_color_and_component_table(self):
         source = gt.particles(
             [[0, 0, 0]], [H],
