@@ -1,0 +1,203 @@
+// The weights of one splat on the pixels of a tile.
+// Compiled once for every instruction set, as Highway has it.
+#if defined(galaxy_Footprints_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef galaxy_Footprints_inl_h
+#undef galaxy_Footprints_inl_h
+#else
+#define galaxy_Footprints_inl_h
+#endif
+
+#include "Filters/Splatting/LaneMath-inl.h"
+#include "Filters/Splatting/Splat.h"
+#include "Filters/Splatting/SplineWeights.h"
+#include "Filters/Splatting/TileSums.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace galaxy
+{
+namespace HWY_NAMESPACE
+{
+/// The pixels of a tile that a splat touches.
+struct Box
+{
+  int x0, y0, columns, rows;
+
+  static HWY_INLINE int inTile(int pixel, float offset)
+  {
+    const float at = static_cast<float>(pixel) + __builtin_floorf(offset);
+    return static_cast<int>(std::min(std::max(at, 0.0F), static_cast<float>(tileSide)));
+  }
+
+  HWY_INLINE bool clip(const Splat& splat, float h)
+  {
+    // By scalars: a vector gathered from single numbers would wait for all stores before it.
+    const int x1 = inTile(splat.column() + 1, splat.x + h);
+    const int y1 = inTile(splat.row() + 1, splat.y + h);
+    this->x0 = inTile(splat.column(), splat.x - h);
+    this->y0 = inTile(splat.row(), splat.y - h);
+    this->columns = x1 - this->x0;
+    this->rows = y1 - this->y0;
+    return this->columns > 0 && this->rows > 0;
+  }
+};
+
+/// exp(-b^2/sigma^2), sigma = h/3, in the pixels that touch the disc b < h: in each the pixel's
+/// mean, which is a product of a function of its column and one of its row (GaussianFootprint has
+/// the share that this leaves out, which a splat's light already makes up for).
+class Gaussian
+{
+public:
+  using D = Tag;
+  Box box;
+
+  /// False if the splat misses the tile.
+  HWY_INLINE bool prepare(const Splat& splat)
+  {
+    const float h = std::max(splat.h, 1e-4f);
+    if (!this->box.clip(splat, h))
+    {
+      return false;
+    }
+    this->h2 = h * h;
+    const float a = 3 / h;
+    this->axis(a, static_cast<float>(this->box.x0 - splat.column()) - splat.x, this->box.columns,
+      this->column, this->columnGap);
+    this->axis(a, static_cast<float>(this->box.y0 - splat.row()) - splat.y, this->box.rows,
+      this->row, this->rowGap);
+    // The pixel in the middle has the most of all: no more than all, nor than the peak.
+    this->most = std::min(1.0f, 0.3184f * a * a);
+    return true;
+  }
+  float mostOfAPixel() const { return this->most; }
+
+  struct Row
+  {
+    V share, limit;
+  };
+  HWY_INLINE Row rowAt(int y) const
+  {
+    return { hn::Set(tag, this->row[y]), hn::Set(tag, this->h2 - this->rowGap[y]) };
+  }
+  /// The weights of the lanes that begin at column x of row y of the box.
+  HWY_INLINE V weights(const Row& at, int, int x) const
+  {
+    const V share = hn::Mul(at.share, hn::LoadU(tag, this->column + x));
+    return hn::IfThenElseZero(hn::Lt(hn::LoadU(tag, this->columnGap + x), at.limit), share);
+  }
+
+private:
+  /// Above this, 1/1.7 pixels, differences of erf are used; below, where they would lose digits,
+  /// the series. They agree to 5e-7 of the centre there.
+  static constexpr float narrowest = 0.6F;
+
+  /// The means of a/sqrt(pi) exp(-(a x)^2) over the pixels of an axis, the first of which begins at
+  /// `start` from the centre, and their squared distance to it.
+  HWY_INLINE void axis(float a, float start, int pixels, float* share, float* gap2) const
+  {
+    const int N = lanes();
+    const V scale = hn::Set(tag, a);
+    const V first = hn::Add(hn::Iota(tag, 0), hn::Set(tag, start));
+    const V half = hn::Set(tag, 0.5f);
+    if (a <= narrowest)
+    {
+      for (int i = 0; i < pixels; i += N)
+      {
+        const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
+        hn::StoreU(wideMean(hn::Add(d, half), a), tag, share + i);
+        hn::StoreU(squaredGap(tag, d), tag, gap2 + i);
+      }
+      return;
+    }
+    V cumulative = erf(tag, hn::Mul(scale, first));
+    for (int i = 0; i < pixels; i += N)
+    {
+      const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
+      // The last edge of so many pixels is among the lanes, or begins the next ones.
+      const V next = pixels - i < N
+        ? cumulative
+        : erf(tag, hn::MulAdd(scale, hn::Set(tag, static_cast<float>(N)), hn::Mul(scale, d)));
+      hn::StoreU(hn::Mul(half, hn::Sub(following(cumulative, next), cumulative)), tag, share + i);
+      hn::StoreU(squaredGap(tag, d), tag, gap2 + i);
+      cumulative = next;
+    }
+  }
+
+  /// Every lane the next one's value; the last has `first` of what follows.
+  static HWY_INLINE V following(V v, V first)
+  {
+    const hn::RebindToSigned<Tag> ints;
+    const int last = lanes() - 1;
+    const auto next = hn::Min(hn::Iota(ints, 1), hn::Set(ints, last));
+    const V moved = hn::TableLookupLanes(v, hn::IndicesFromVec(tag, next));
+    const auto isLast = hn::Eq(hn::Iota(tag, 0), hn::Set(tag, static_cast<float>(last)));
+    const V all = hn::TableLookupLanes(first, hn::IndicesFromVec(tag, hn::Zero(ints)));
+    return hn::IfThenElse(isLast, all, moved);
+  }
+
+  /// exp(-a^2 (x+u)^2) in powers of u, by Hermite's polynomials, averaged over the pixel |u| < 1/2:
+  /// with z = (a x)^2, b = a^2 it is a/sqrt(pi) e^-z times
+  ///   1 + b (z - 1/2)/6 + b^2 (z^2 - 3z + 3/4)/120 + b^3 (z^3 - 15/2 z^2 + 45/4 z - 15/8)/5040.
+  static HWY_INLINE V wideMean(V x, float a)
+  {
+    const auto number = [](float c) { return hn::Set(tag, c); };
+    const float b = a * a;
+    const V z = hn::Mul(number(b), hn::Mul(x, x));
+    const V second = hn::Sub(z, number(0.5F));
+    const V fourth = hn::MulAdd(hn::Sub(z, number(3)), z, number(0.75F));
+    const V sixth =
+      hn::MulAdd(hn::MulAdd(hn::Sub(z, number(7.5F)), z, number(11.25F)), z, number(-1.875F));
+    const V sum = hn::MulAdd(sixth, number(b * b * b / 5040),
+      hn::MulAdd(fourth, number(b * b / 120), hn::MulAdd(second, number(b / 6), number(1))));
+    return hn::Mul(hn::Mul(number(a * 0.564189584F), hn::Exp(tag, hn::Neg(z))), sum);
+  }
+
+  float h2;
+  float most;
+  HWY_ALIGN float column[tileStride];
+  HWY_ALIGN float columnGap[tileStride];
+  HWY_ALIGN float row[tileStride];
+  HWY_ALIGN float rowGap[tileStride];
+};
+
+/// The projected cubic spline, see SplineWeights.
+class Spline
+{
+public:
+  using D = Tag;
+  Box box;
+
+  HWY_INLINE bool prepare(const Splat& splat)
+  {
+    const float h = std::max(splat.h, 1e-3f);
+    if (!this->box.clip(splat, h))
+    {
+      return false;
+    }
+    this->table.fill(static_cast<float>(splat.column() - this->box.x0) + splat.x,
+      static_cast<float>(splat.row() - this->box.y0) + splat.y, h, this->box.columns,
+      this->box.rows);
+    this->most = std::min(1.0f, 2 / (h * h)); // c(0) = 1.91
+    return true;
+  }
+  float mostOfAPixel() const { return this->most; }
+
+  struct Row
+  {
+  };
+  HWY_INLINE Row rowAt(int) const { return {}; }
+  HWY_INLINE V weights(const Row&, int y, int x) const
+  {
+    return hn::LoadU(tag, this->table.weights[y] + x);
+  }
+
+private:
+  SplineWeights table;
+  float most;
+};
+} // namespace HWY_NAMESPACE
+} // namespace galaxy
+HWY_AFTER_NAMESPACE();
+
+#endif
