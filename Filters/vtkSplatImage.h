@@ -9,7 +9,8 @@
  *
  * The model is that of Dykes et al., equation for I_after, in the form that is stable for every
  * optical depth: I <- I exp(-t) + e (1 - exp(-t))/t with e and t the column emission and optical
- * depth of a particle, in the order of the centres' distance.
+ * depth of a particle, in the order of the centres' distance (Accuracy Sorted), or, where particles
+ * overlap, the transfer integral by slices of depth (Overlapping).
  */
 #ifndef vtkSplatImage_h
 #define vtkSplatImage_h

@@ -100,7 +100,8 @@ private:
 };
 
 /// The methods through which a class with a member `vtkSplatSettings* Settings` (or smart pointer)
-/// offers its settings as server-manager properties.
+/// offers its settings as server-manager properties. Where a method is added here, change the
+/// headers that use this as well: what VTK wraps of them is made anew only then.
 #define vtkForwardSplatSettingsMacro                                                               \
   void SetKernel(int kernel)                                                                       \
   {                                                                                                \

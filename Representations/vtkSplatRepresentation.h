@@ -2,7 +2,8 @@
  * @class   vtkSplatRepresentation
  * @brief   the representation "Splats": particles as emitting and absorbing kernels
  *
- * Delivers the particles to where the view renders and forwards everything else to vtkSplatProp.
+ * Delivers the particles to where the view renders and forwards everything else to vtkSplatProp,
+ * the accuracy and the components' factors to the prop's vtkSplatSettings.
  */
 #ifndef vtkSplatRepresentation_h
 #define vtkSplatRepresentation_h
