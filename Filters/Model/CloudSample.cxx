@@ -56,8 +56,9 @@ void survey(
   box.add({ { lx, ly, lz }, { hx, hy, hz } });
 }
 
-void copyChosen(
-  const float* position, std::size_t n, const std::uint8_t* chosen, std::vector<float>& to)
+/// Appends the chosen ones of n particles, the first `room` of them at most.
+void copyChosen(const float* position, std::size_t n, const std::uint8_t* chosen, std::size_t room,
+  std::vector<float>& to)
 {
   std::uint16_t list[blockSize];
   std::size_t m = 0;
@@ -66,7 +67,7 @@ void copyChosen(
     list[m] = static_cast<std::uint16_t>(j);
     m += chosen[j];
   }
-  for (std::size_t k = 0; k < m; ++k)
+  for (std::size_t k = 0; k < std::min(m, room); ++k)
   {
     const float* p = position + 3 * list[k];
     to.insert(to.end(), p, p + 3);
@@ -82,27 +83,25 @@ CloudSample::CloudSample(const float* position, std::size_t count, std::size_t m
     mask = mask << 1 | 1;
     this->taken /= 2;
   }
+  // Should countless particles share one place, and so one hash, memory stays bounded all the same:
+  // block by block, so that who works on it makes no difference. By chance alone a block has so
+  // many, five standard deviations over the mean and more, in one of millions.
+  const double mean = blockSize * this->taken;
+  const auto room = static_cast<std::size_t>(std::ceil(mean + 5 * std::sqrt(mean) + 8));
   Box all;
   this->chosen.resize(omp_get_max_threads());
 #pragma omp parallel
   {
-    // Should countless particles share one place, and so one hash, memory stays bounded all the
-    // same.
-    const std::size_t expected = count * this->taken / omp_get_num_threads();
-    const std::size_t room = 3 * (this->taken < 1 ? expected + expected / 4 + blockSize : count);
     Box box;
     std::vector<float> mine;
-    mine.reserve(std::min(room, 3 * (expected + 2 * blockSize)));
+    mine.reserve(3 * static_cast<std::size_t>(count * this->taken / omp_get_num_threads()));
     std::uint8_t marks[blockSize];
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < count; i += blockSize)
     {
       const std::size_t n = std::min(blockSize, count - i);
       survey(position + 3 * i, n, mask, box, marks);
-      if (mine.size() + 3 * n <= room)
-      {
-        copyChosen(position + 3 * i, n, marks, mine);
-      }
+      copyChosen(position + 3 * i, n, marks, room, mine);
     }
 #pragma omp critical
     all.add(box);

@@ -8,7 +8,8 @@
 namespace galaxy
 {
 /// The extent of a cloud of particles, and a share of them chosen by a hash of their position: the
-/// same whatever their order. Particles without a finite position belong to neither.
+/// same whatever their order, unless so many share one place that they would be too many.
+/// Particles without a finite position belong to neither.
 class CloudSample
 {
 public:

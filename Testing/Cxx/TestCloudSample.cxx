@@ -54,4 +54,24 @@ TEST(CloudSample, IsTheSameForAnyTeam)
   EXPECT_EQ(sorted(CloudSample(position.data(), 200000, 60000)), sorted(alone));
   omp_set_num_threads(threads);
 }
+
+TEST(CloudSample, CountlessParticlesInOnePlaceAreBoundedAlikeForAnyThreads)
+{
+  // The hash of the origin has no bit set: it is chosen every time.
+  const std::size_t count = 400000;
+  std::vector<float> position = helix(count);
+  std::fill(position.begin(), position.begin() + 3 * count / 2, 0.0F);
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const CloudSample alone(position.data(), count, 60000);
+  EXPECT_EQ(alone.share(), 0.125);
+  EXPECT_LT(alone.size(), 100000u);
+  EXPECT_GT(alone.size(), 40000u);
+  for (const int n : { 2, 3, 16 })
+  {
+    omp_set_num_threads(n);
+    EXPECT_EQ(sorted(CloudSample(position.data(), count, 60000)), sorted(alone)) << n;
+  }
+  omp_set_num_threads(threads);
+}
 } // namespace galaxy
