@@ -1,10 +1,9 @@
 #include "Filters/Model/DustFilaments.h"
 
+#include "Filters/Model/BelowFocus.h"
 #include "Filters/Model/FractalDust.h"
-#include "Filters/Model/NormalQuantile.h"
 #include "Filters/Model/NormalSequence.h"
 #include "Filters/Model/SineCosine.h"
-#include "Filters/Model/VerticalLaw.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -179,23 +178,6 @@ private:
   double z; ///< kpc
   double w; ///< km/s
 };
-
-/// A height of a normal layer of rms height h, lowered to that below which the same share lies of
-/// the part of the layer below normalFocalHeight.
-double keptBelowFocus(const RingFrame& ring, double z, double h)
-{
-  constexpr double mostShare = 1 - 0x1p-32; // that normalQuantile takes
-  // Of a layer this many times thinner nothing lies beyond, in double precision.
-  constexpr double all = 8.3;
-  const double bend = ring.bendA * ring.bendA + ring.bendB * ring.bendB;
-  if (4 * all * all * h * h * bend <= 1)
-  {
-    return z;
-  }
-  const double below = shareWithin(LayerLaw::Gaussian, normalFocalHeight(ring) / h);
-  const double share = std::min(shareWithin(LayerLaw::Gaussian, std::abs(z) / h), mostShare);
-  return std::copysign(h * normalQuantile(below * share), z);
-}
 
 /// The disc's motion and the walk's own.
 Vec3 velocityOf(const RingFrame& ring, const PlaneWalk& plane, const HeightWalk& vertical)

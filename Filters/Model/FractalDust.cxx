@@ -1,11 +1,11 @@
 #include "Filters/Model/FractalDust.h"
 
+#include "Filters/Model/BelowFocus.h"
 #include "Filters/Model/BlockSum.h"
 #include "Filters/Model/FractalNoise.h"
 #include "Filters/Model/NormalSequence.h"
 #include "Filters/Model/SineCosine.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -27,34 +27,6 @@ PlanePoint displaced(const PlanePoint& seed, double dx, double dy)
   const double r = std::sqrt(x * x + y * y);
   return { r, r > 0 ? SineCosine{ y / r, x / r } : SineCosine{ 0, 1 } };
 }
-
-/// Calls visit(seed, child, place, ring, z) for the place of every particle. The children of
-/// a seed come one after the other, the seeds in parallel.
-template <class Visit>
-void forEachPlace(const Seeds& seeds, const ParticleStarts& starts, const TiltedDisk& disk,
-  const DustDescription& dust, const RandomKey& key, const Visit& visit)
-{
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
-    const PlanePoint seed = { seeds.radius[i], sineCosine(seeds.azimuth[i]) };
-    NormalSequence<8> normal(key, RandomStream::FractalPlace, seeds.index[i]);
-    for (std::uint64_t child = starts[i]; child < starts[i + 1]; ++child)
-    {
-      PlanePoint place = seed;
-      const double height = dust.scaleHeight * normal.next();
-      if (child > starts[i])
-      {
-        const double dx = dust.spread * normal.next(), dy = dust.spread * normal.next();
-        place = displaced(seed, dx, dy);
-        place = place.r >= seeds.innerRadius && place.r <= seeds.outerRadius ? place : seed;
-      }
-      const RingFrame ring = disk.frame(place.r);
-      const double highest = normalFocalHeight(ring);
-      visit(i, child, place, ring, std::clamp(height, -highest, highest));
-    }
-  }
-}
 } // namespace
 
 ParticleStarts countFractalDust(const Seeds& seeds, const ComponentDescription& component)
@@ -73,25 +45,35 @@ void placeFractalDust(const Seeds& seeds, const ParticleStarts& starts, const Ti
 {
   const DustDescription& dust = component.dust;
   const FractalClouds clouds(dust, key);
-  std::vector<double> densities(starts[seeds.size()]);
   std::vector<double> lights(seeds.size());
-  const auto weigh = [&](std::size_t seed, std::uint64_t child, const PlanePoint& place,
-                       const RingFrame&, double z) {
-    densities[child] = clouds.weight(place.r, place.direction.cosine, place.direction.sine, z);
-    lights[seed] += seeds.light[seed] * densities[child];
-  };
-  forEachPlace(seeds, starts, disk, dust, key, weigh);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    const PlanePoint seed = { seeds.radius[i], sineCosine(seeds.azimuth[i]) };
+    NormalSequence<8> normal(key, RandomStream::FractalPlace, seeds.index[i]);
+    for (std::uint64_t child = starts[i]; child < starts[i + 1]; ++child)
+    {
+      PlanePoint place = seed;
+      const double height = dust.scaleHeight * normal.next();
+      if (child > starts[i])
+      {
+        const double dx = dust.spread * normal.next(), dy = dust.spread * normal.next();
+        place = displaced(seed, dx, dy);
+        place = place.r >= seeds.innerRadius && place.r <= seeds.outerRadius ? place : seed;
+      }
+      const RingFrame ring = disk.frame(place.r);
+      const auto [sine, cosine] = place.direction;
+      const double z = keptBelowFocus(ring, height, dust.scaleHeight);
+      const double light = seeds.light[i] * clouds.weight(place.r, cosine, sine, z);
+      const Vec3 p = place.r * cosine * ring.a + place.r * sine * ring.b + z * ring.n;
+      writer.write(
+        child, p, static_cast<float>(light), &seeds.color[3 * i], ringVelocity(ring, cosine, sine));
+      lights[i] += light;
+    }
+  }
   // The density's mean is 1 over all space, but far from it where a few clouds are looked at.
-  const double light = blockSum(lights, 0, lights.size());
-  const double perLight =
-    light > 0 ? lightFactor * blockSum(seeds.light, 0, seeds.size()) / light : 0;
-  const auto write = [&](std::size_t seed, std::uint64_t child, const PlanePoint& place,
-                       const RingFrame& ring, double z) {
-    const auto [sine, cosine] = place.direction;
-    const Vec3 p = place.r * cosine * ring.a + place.r * sine * ring.b + z * ring.n;
-    writer.write(child, p, static_cast<float>(perLight * seeds.light[seed] * densities[child]),
-      &seeds.color[3 * seed], ringVelocity(ring, cosine, sine));
-  };
-  forEachPlace(seeds, starts, disk, dust, key, write);
+  const double sum = blockSum(lights, 0, lights.size());
+  const double factor = sum > 0 ? lightFactor * blockSum(seeds.light, 0, seeds.size()) / sum : 0;
+  writer.scaleIntensities(starts[seeds.size()], factor);
 }
 } // namespace galaxy

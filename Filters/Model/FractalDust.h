@@ -8,7 +8,7 @@ namespace galaxy
 {
 /// Clouds of dust (DustModel::Fractal): every seed gets `children` particles, the first above or
 /// below the seed itself, the others displaced in the plane by normal deviates of rms `spread` as
-/// well; heights are normal with the rms `scale_height`, below normalFocalHeight. A particle that
+/// well; heights are normal with the rms `scale_height`, see keptBelowFocus. A particle that
 /// would leave the radii its seeds were drawn from stays above its seed.
 ///
 /// A particle's light goes as its seed's and the density of FractalClouds: clouds take it from seed

@@ -58,6 +58,16 @@ public:
     }
   }
 
+  /// Multiplies the intensities of the first `count` particles written.
+  void scaleIntensities(std::size_t count, double factor) const
+  {
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = this->offset; k < this->offset + count; ++k)
+    {
+      this->particles.intensity[k] = static_cast<float>(factor * this->particles.intensity[k]);
+    }
+  }
+
 private:
   static void store(float* to, const Vec3& v)
   {
