@@ -1,5 +1,5 @@
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Readers/Formats/NumberRows.h"
 
 #include <climits>
 
@@ -9,17 +9,7 @@ namespace
 {
 using D = DustDescription;
 
-/// A number of the section, for the file and for the filter's properties alike.
-struct Number
-{
-  const char* name;
-  double D::*member;
-  Range range;
-  const char* unit;
-  const char* meaning;
-};
-
-const Number numbers[] = {
+const NumberRow<D> numbers[] = {
   { "step_length", &D::stepLength, Range::positive(), "kpc",
     "Distance between the particles of a filament." },
   { "velocity_dispersion", &D::velocityDispersion, Range::notNegative(), "km/s",
@@ -60,9 +50,9 @@ Keys<D> makeKeys()
     integerKey<D>("octaves", &D::octaves, 1, mostOctaves, "Of Fractal: scales that are summed."),
     integerKey<D>("children", &D::children, 1, INT_MAX, "Of Fractal: particles a seed."),
   };
-  for (const Number& n : numbers)
+  for (const NumberRow<D>& row : numbers)
   {
-    keys.push_back(numberKey<D>(n.name, n.member, n.range, n.unit, n.meaning));
+    keys.push_back(row.key());
   }
   return keys;
 }
@@ -76,19 +66,11 @@ const Keys<D>& dustKeys()
 
 void requireInRange(const D& dust, const std::string& file, const std::string& component)
 {
-  const auto require = [&](bool right, const std::string& name, const std::string& range) {
-    if (!right)
-    {
-      throw Error(file, component, "dust: " + name + " must be " + range);
-    }
-  };
-  for (const Number& n : numbers)
-  {
-    require(n.range.contains(dust.*n.member), n.name, n.range.text());
-  }
-  require(dust.steps >= 1, "steps", "at least 1");
-  require(dust.children >= 1, "children", "at least 1");
-  require(dust.octaves >= 1 && dust.octaves <= mostOctaves, "octaves",
+  const SectionCheck check(file, component, "dust");
+  check.requireNumbers(numbers, dust);
+  check.require(dust.steps >= 1, "steps", "at least 1");
+  check.require(dust.children >= 1, "children", "at least 1");
+  check.require(dust.octaves >= 1 && dust.octaves <= mostOctaves, "octaves",
     "1 to " + std::to_string(mostOctaves));
 }
 } // namespace galaxy

@@ -1,5 +1,5 @@
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Readers/Formats/NumberRows.h"
 
 namespace galaxy
 {
@@ -7,17 +7,7 @@ namespace
 {
 using S = SmoothingDescription;
 
-/// A number of the section, for the file and for the filter's properties alike.
-struct Number
-{
-  const char* name;
-  double S::*member;
-  Range range;
-  const char* unit;
-  const char* meaning;
-};
-
-const Number numbers[] = {
+const NumberRow<S> numbers[] = {
   { "factor", &S::factor, Range::positive(), "",
     "Of Density and Neighbours: radius over the mean distance between particles." },
   { "length", &S::length, Range::positive(), "kpc",
@@ -39,9 +29,9 @@ Keys<S> makeKeys()
     integerKey<S>("neighbours", &S::neighbours, 1, mostNeighbours,
       "Of Density and Neighbours: how many particles the density is taken over."),
   };
-  for (const Number& n : numbers)
+  for (const NumberRow<S>& row : numbers)
   {
-    keys.push_back(numberKey<S>(n.name, n.member, n.range, n.unit, n.meaning));
+    keys.push_back(row.key());
   }
   keys.back() = withDefault(keys.back(), "none");
   return keys;
@@ -56,20 +46,10 @@ const Keys<SmoothingDescription>& smoothingKeys()
 
 void requireInRange(const S& smoothing, const std::string& file, const std::string& component)
 {
-  const auto require = [&](bool right, const std::string& name, const std::string& range) {
-    if (!right)
-    {
-      throw Error(file, component, "smoothing: " + name + " must be " + range);
-    }
-  };
-  const S defaults; // of which the maximum is no finite number
-  for (const Number& n : numbers)
-  {
-    const double value = smoothing.*n.member;
-    require(value == defaults.*n.member || n.range.contains(value), n.name, n.range.text());
-  }
-  require(smoothing.neighbours >= 1 && smoothing.neighbours <= mostNeighbours, "neighbours",
+  const SectionCheck check(file, component, "smoothing");
+  check.requireNumbers(numbers, smoothing);
+  check.require(smoothing.neighbours >= 1 && smoothing.neighbours <= mostNeighbours, "neighbours",
     "1 to " + std::to_string(mostNeighbours));
-  require(smoothing.minimum <= smoothing.maximum, "maximum", "at least the minimum");
+  check.require(smoothing.minimum <= smoothing.maximum, "maximum", "at least the minimum");
 }
 } // namespace galaxy

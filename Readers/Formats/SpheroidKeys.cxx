@@ -1,5 +1,5 @@
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Readers/Formats/NumberRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +21,7 @@ const std::vector<std::string> presetNames = { "None", "Bulge", "StellarHalo", "
 constexpr long long mostClusters = 1 << 24;
 constexpr Range axisRange = { 0, 1, true };
 
-/// A number of the section, for the file and for the source's properties alike.
-struct Number
-{
-  const char* name;
-  double S::*member;
-  Range range;
-  const char* unit;
-  const char* meaning;
-};
-
-const Number numbers[] = {
+const NumberRow<S> numbers[] = {
   { "effective_radius", &S::effectiveRadius, Range::positive(), "kpc",
     "Projected radius of half of the light (Sersic)." },
   { "sersic_index", &S::sersicIndex, Range::from(0.5, 10), "",
@@ -59,9 +49,9 @@ const Number numbers[] = {
 
 Key<S> number(const std::string& name)
 {
-  const Number* row = std::find_if(
-    std::begin(numbers), std::end(numbers), [&](const Number& n) { return n.name == name; });
-  return numberKey<S>(row->name, row->member, row->range, row->unit, row->meaning);
+  return std::find_if(std::begin(numbers), std::end(numbers), [&](const NumberRow<S>& row) {
+    return row.name == name;
+  })->key();
 }
 
 /// An angle by which the spheroid leaves the rings' axes for its own.
@@ -129,6 +119,18 @@ private:
   const S& spheroid;
 };
 
+/// What is wrong with the truncation; empty where nothing is. Infinity is none.
+std::string truncationComplaint(const S& spheroid)
+{
+  if (!(spheroid.truncation >= leastTruncation(spheroid)))
+  {
+    return "must be at least a millionth of the profile's scale";
+  }
+  const bool isTooFar =
+    std::isfinite(spheroid.truncation) && spheroid.truncation > 1e12 * scaleOf(spheroid);
+  return isTooFar ? "must be no more than 1e12 times the profile's scale" : "";
+}
+
 void checkSpheroid(const KeyValue& section, const S& spheroid)
 {
   const SpheroidCheck check(section, spheroid);
@@ -152,9 +154,10 @@ void checkSpheroid(const KeyValue& section, const S& spheroid)
     check.failWhereGiven(
       "cluster_list", "needs luminosity, the light of all of them, or light_from");
   }
-  if (!(spheroid.truncation >= leastTruncation(spheroid)))
+  const std::string complaint = truncationComplaint(spheroid);
+  if (!complaint.empty())
   {
-    check.failWhereGiven("truncation", "must be at least a millionth of the profile's scale");
+    check.failWhereGiven("truncation", complaint);
   }
 }
 } // namespace
@@ -221,39 +224,25 @@ const Keys<SpheroidDescription>& spheroidKeys()
 
 void requireInRange(const S& spheroid, const std::string& file, const std::string& component)
 {
-  const auto fail = [&](const std::string& name, const std::string& complaint) {
-    throw Error(file, component, "spheroid: " + name + " " + complaint);
-  };
-  const auto require = [&](const Range& range, double value, const char* name) {
-    if (!range.contains(value))
-    {
-      fail(name, range.complaint(value));
-    }
-  };
-  for (const Number& n : numbers)
-  {
-    require(n.range, spheroid.*n.member, n.name);
-  }
+  const SectionCheck check(file, component, "spheroid");
+  check.requireNumbers(numbers, spheroid);
   for (const double sigma : spheroid.sigma)
   {
-    require(Range::positive(), sigma, "sigma");
+    check.require(sigma, Range::positive(), "sigma");
   }
   for (const double ratio : spheroid.axisRatios)
   {
-    require(axisRange, ratio, "axis_ratios");
+    check.require(ratio, axisRange, "axis_ratios");
   }
   const int profile = static_cast<int>(spheroid.profile);
-  require(Range::from(0, static_cast<double>(profileNames.size()) - 1), profile, "profile");
-  require(Range::from(0, mostClusters), static_cast<double>(spheroid.clusters), "clusters");
-  require(
-    Range::notNegative(), std::isnan(spheroid.luminosity) ? 0 : spheroid.luminosity, "luminosity");
-  if (!(spheroid.truncation >= leastTruncation(spheroid)))
+  check.require(profile, Range::from(0, static_cast<double>(profileNames.size()) - 1), "profile");
+  check.require(static_cast<double>(spheroid.clusters), Range::from(0, mostClusters), "clusters");
+  check.require(
+    std::isnan(spheroid.luminosity) ? 0 : spheroid.luminosity, Range::notNegative(), "luminosity");
+  const std::string complaint = truncationComplaint(spheroid);
+  if (!complaint.empty())
   {
-    fail("truncation", "must be at least a millionth of the profile's scale");
-  }
-  if (spheroid.truncation > 1e12 * scaleOf(spheroid) && std::isfinite(spheroid.truncation))
-  {
-    fail("truncation", "must be no more than 1e12 times the profile's scale");
+    check.fail("truncation", complaint);
   }
 }
 

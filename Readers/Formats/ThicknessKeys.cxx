@@ -1,5 +1,5 @@
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Readers/Formats/NumberRows.h"
 #include "Readers/Formats/WidthTable.h"
 
 #include <climits>
@@ -10,17 +10,7 @@ namespace
 {
 using T = ThicknessDescription;
 
-/// A number of the section, for the file and for the filters' properties alike.
-struct Number
-{
-  const char* name;
-  double T::*member;
-  Range range;
-  const char* unit;
-  const char* meaning;
-};
-
-const Number numbers[] = {
+const NumberRow<T> numbers[] = {
   { "children", &T::children, Range::notNegative(), "",
     "Children a seed, at intensity 1 (Gaussian) or at the centre (the others)." },
   { "sigma", &T::sigma, Range::notNegative(), "kpc",
@@ -82,10 +72,9 @@ Keys<T> makeKeys()
       "Rows of radius and full width at half maximum, kpc, in place of all the formula (Flared).",
       readProfile },
   };
-  for (const Number& number : numbers)
+  for (const NumberRow<T>& row : numbers)
   {
-    keys.push_back(
-      numberKey<T>(number.name, number.member, number.range, number.unit, number.meaning));
+    keys.push_back(row.key());
   }
   return keys;
 }
@@ -124,26 +113,18 @@ void noteRotation(const toml::table& root, GalaxyDescription& galaxy)
 
 void requireInRange(const T& thickness, const std::string& file, const std::string& component)
 {
-  const auto require = [&](bool right, const std::string& name, const std::string& range) {
-    if (!right)
-    {
-      throw Error(
-        file, component, "thickness: " + name + " must be " + (range.empty() ? "finite" : range));
-    }
-  };
-  for (const Number& number : numbers)
-  {
-    require(number.range.contains(thickness.*number.member), number.name, number.range.text());
-  }
-  require(thickness.maximumChildren >= 1, "maximum_children", "at least 1");
-  require(isOneOf(int(thickness.model), 0, int(ThicknessModel::Rings)), "model", "a known model");
-  require(
+  const SectionCheck check(file, component, "thickness");
+  check.requireNumbers(numbers, thickness);
+  check.require(thickness.maximumChildren >= 1, "maximum_children", "at least 1");
+  check.require(
+    isOneOf(int(thickness.model), 0, int(ThicknessModel::Rings)), "model", "a known model");
+  check.require(
     isOneOf(int(thickness.law), int(LayerLaw::Gaussian), int(LayerLaw::Box)), "law", "a known law");
-  require(isOneOf(int(thickness.reading), 0, int(TaperReading::Literal)), "reading",
+  check.require(isOneOf(int(thickness.reading), 0, int(TaperReading::Literal)), "reading",
     "RadialScale or Literal");
-  require(isOneOf(int(thickness.velocityScaling), 0, int(VelocityScaling::Local)),
+  check.require(isOneOf(int(thickness.velocityScaling), 0, int(VelocityScaling::Local)),
     "velocity_scaling", "Maximum or Local");
-  require(isOneOf(int(thickness.childLight), 0, int(ChildLight::Inherit)), "child_light",
+  check.require(isOneOf(int(thickness.childLight), 0, int(ChildLight::Inherit)), "child_light",
     "Share or Inherit");
 }
 } // namespace galaxy
