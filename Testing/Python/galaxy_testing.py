@@ -2,6 +2,7 @@
 import os
 import sys
 import tempfile
+import unittest
 
 import numpy as np
 from paraview import servermanager, simple
@@ -90,3 +91,47 @@ def splat(source, size=64, **camera):
     splat.effects = str(picture.ActiveEffects)
     simple.Delete(picture)
     return result
+
+
+_FOLDER = tempfile.TemporaryDirectory()
+
+
+def written(name, text):
+    """The path of a file of this name with this text, which goes when the tests end."""
+    path = os.path.join(_FOLDER.name, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
+def points_of(proxy):
+    data = servermanager.Fetch(proxy)
+    if data.GetNumberOfPoints() == 0:
+        return np.zeros((0, 3))
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def light_of(proxy):
+    return array(proxy, "Intensity").astype(float)
+
+
+def count_of(proxy):
+    return proxy.GetDataInformation().GetNumberOfPoints()
+
+
+class ProxyTest(unittest.TestCase):
+    def refused(self, proxy, names):
+        """Each of these values of a property is refused by the name of its key, and the filter
+        works again afterwards."""
+        for prop, (value, key) in names.items():
+            good = proxy.GetPropertyValue(prop)
+            good = list(good) if isinstance(value, list) else good  # else a view of the property
+            proxy.SetPropertyWithName(prop, value)
+            with Messages() as messages:
+                proxy.UpdatePipeline()
+            self.assertIn(key, messages.text, prop)
+            self.assertIn("must be", messages.text, prop)
+            self.assertEqual(count_of(proxy), 0, prop)
+            proxy.SetPropertyWithName(prop, good)
+        proxy.UpdatePipeline()
+        self.assertGreater(count_of(proxy), 0)

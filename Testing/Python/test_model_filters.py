@@ -1,7 +1,6 @@
 """The model's filters and sources by themselves: their properties, and what they refuse."""
 import json
 import os
-import tempfile
 import unittest
 
 import numpy as np
@@ -11,7 +10,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 import galaxy_testing as gt
 
 gt.load_plugin()
-FOLDER = tempfile.TemporaryDirectory()
 # Face-on, so that Z is the height over the disc: its density is exp(-r / 2 kpc).
 FACE_ON = """
 [galaxy]
@@ -28,60 +26,22 @@ scale_length = 2
 """
 
 
-def written(name, text):
-    path = os.path.join(FOLDER.name, name)
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-    return path
-
-
-def points_of(proxy):
-    data = servermanager.Fetch(proxy)
-    if data.GetNumberOfPoints() == 0:
-        return np.zeros((0, 3))
-    return gt.vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-
-
-def light_of(proxy):
-    return gt.array(proxy, "Intensity").astype(float)
-
-
-def count_of(proxy):
-    return proxy.GetDataInformation().GetNumberOfPoints()
-
-
 def cloud(count=20000, seed=1):
     return np.random.default_rng(seed).normal(size=(count, 3))
 
 
-class Filters(unittest.TestCase):
+class Filters(gt.ProxyTest):
     @classmethod
     def setUpClass(cls):
-        cls.galaxy = simple.GalaxyReader(FileName=written("face-on.galaxy", FACE_ON))
+        cls.galaxy = simple.GalaxyReader(FileName=gt.written("face-on.galaxy", FACE_ON))
         cls.seeds = simple.DiskSeeds(Input=cls.galaxy)
         cls.seeds.UpdatePipeline()
-
-    def refused(self, proxy, names):
-        """Each of these values of a property is refused by the name of its key, and the filter
-        works again afterwards."""
-        for prop, (value, key) in names.items():
-            good = proxy.GetPropertyValue(prop)
-            good = list(good) if isinstance(value, list) else good  # else a view of the property
-            proxy.SetPropertyWithName(prop, value)
-            with gt.Messages() as messages:
-                proxy.UpdatePipeline()
-            self.assertIn(key, messages.text, prop)
-            self.assertIn("must be", messages.text, prop)
-            self.assertEqual(count_of(proxy), 0, prop)
-            proxy.SetPropertyWithName(prop, good)
-        proxy.UpdatePipeline()
-        self.assertGreater(count_of(proxy), 0)
 
     def thick(self, **properties):
         """Points and intensities of DiskThickness, and the number of children of a seed."""
         made = simple.DiskThickness(Input=self.seeds, **properties)
         made.UpdatePipeline()
-        return points_of(made), light_of(made), count_of(made) / count_of(self.seeds)
+        return gt.points_of(made), gt.light_of(made), gt.count_of(made) / gt.count_of(self.seeds)
 
     # --- DiskSeeds -------------------------------------------------------------------------------
 
@@ -127,7 +87,7 @@ class Filters(unittest.TestCase):
         self.assertAlmostEqual(np.median(np.abs(points[:, 2])) / 0.4, 0.90, delta=0.04)
 
     def test_readings_of_the_tapered_model(self):
-        r = np.hypot(*points_of(self.seeds)[:, :2].T)
+        r = np.hypot(*gt.points_of(self.seeds)[:, :2].T)
         for reading, length in (("RadialScale", 3.0), ("Literal", 0.8)):
             points, _, children = self.thick(
                 Model="Tapered", Reading=reading, Children=20, ScaleLength=3.0, ScaleHeight=0.8,
@@ -156,19 +116,19 @@ class Filters(unittest.TestCase):
             self.assertAlmostEqual(intensity.sum() / (factor * light), 1, delta=1e-6)
 
     def test_profile_table_replaces_the_formula(self):
-        table = written("widths.txt", "# R FWHM\n0 0.4\n3 0.4\n3.001 1.2\n20 1.2\n")
+        table = gt.written("widths.txt", "# R FWHM\n0 0.4\n3 0.4\n3.001 1.2\n20 1.2\n")
         points, _, _ = self.thick(Model="Flared", Law="Gaussian", Sigma=0, ProfileTable=table)
         r = np.hypot(*points[:, :2].T)
         for part, fwhm in ((r < 3, 0.4), (r > 3.002, 1.2)):
             self.assertAlmostEqual(2.35482 * points[part, 2].std() / fwhm, 1, delta=0.03)
         for name, text in (("absent.txt", None), ("bad.txt", "0 0.4\n1 -2\n"),
                            ("order.txt", "0 1\n2 1\n1 1\n"), ("empty.txt", "")):
-            path = os.path.join(FOLDER.name, name) if text is None else written(name, text)
+            path = os.path.join(os.sep, "nowhere", name) if text is None else gt.written(name, text)
             bad = simple.DiskThickness(Input=self.seeds, Model="Flared", ProfileTable=path)
             with gt.Messages() as messages:
                 bad.UpdatePipeline()
             self.assertIn(name, messages.text)
-            self.assertEqual(count_of(bad), 0)
+            self.assertEqual(gt.count_of(bad), 0)
 
     def test_thickness_refuses_by_name(self):
         thickness = simple.DiskThickness(Input=self.seeds, Model="Flared")
@@ -195,11 +155,11 @@ class Filters(unittest.TestCase):
             dust = simple.DustFilaments(Input=self.seeds, Model="Fractal", Children=4,
                                         Contrast=contrast, ScaleHeight=0.1, NoiseScale=1)
             dust.UpdatePipeline()
-            points, depth = points_of(dust), light_of(dust)
+            points, depth = gt.points_of(dust), gt.light_of(dust)
             self.assertTrue(np.all(np.isfinite(points)) and np.all(depth >= 0))
             self.assertAlmostEqual(depth.sum() / light, 1, delta=1e-5)
             self.assertAlmostEqual(points[:, 2].std() / 0.1, 1, delta=0.1)
-            self.assertGreater(len(points), 2 * count_of(self.seeds))
+            self.assertGreater(len(points), 2 * gt.count_of(self.seeds))
             column, _, _ = np.histogram2d(points[:, 0], points[:, 1], bins=16,
                                           range=[[-2, 2], [-2, 2]], weights=depth)
             clumping[contrast] = column.std() / column.mean()
@@ -270,7 +230,7 @@ class Filters(unittest.TestCase):
                 h = gt.array(self.smoothed(self.plain(position), Model=model), "SmoothingLength")
                 self.assertEqual(len(h), len(position))
                 self.assertTrue(np.all(np.isfinite(h)) and np.all(h > 0), (name, model))
-        self.assertEqual(count_of(self.smoothed(vtkPolyData())), 0)
+        self.assertEqual(gt.count_of(self.smoothed(vtkPolyData())), 0)
 
     def test_smoothing_refuses_by_name(self):
         data = self.plain(cloud(1000))
@@ -281,134 +241,7 @@ class Filters(unittest.TestCase):
         with gt.Messages() as messages:
             lightless = self.smoothed(data, Model="Brightness")
         self.assertIn("Intensity", messages.text)
-        self.assertEqual(count_of(lightless), 0)
-
-    # --- Spheroid --------------------------------------------------------------------------------
-
-    def test_every_profile_has_its_luminosity_and_ends_where_it_should(self):
-        # Radii of half of the mass in units of the scale, without truncation.
-        half = {"Gaussian": 1.5382, "Hernquist": 1 + np.sqrt(2), "Exponential": 2.6741,
-                "Plummer": 1.3048, "Sersic": None, "NFW": None, "Cored": None}
-        for profile, expected in half.items():
-            spheroid = simple.Spheroid(
-                Profile=profile, NumberOfParticles=30000, Luminosity=7.5, Sigma=[0.5, 0.5, 0.5],
-                EffectiveRadius=0.5, ScaleRadius=0.5, SersicIndex=4)
-            spheroid.UpdatePipeline()
-            r = np.linalg.norm(points_of(spheroid), axis=1)
-            self.assertEqual(len(r), 30000, profile)
-            self.assertTrue(np.all(np.isfinite(r)), profile)
-            self.assertAlmostEqual(light_of(spheroid).sum() / 7.5, 1, delta=1e-5, msg=profile)
-            if expected:
-                self.assertAlmostEqual(np.median(r) / 0.5 / expected, 1, delta=0.02, msg=profile)
-            spheroid.Truncation = 0.7
-            spheroid.UpdatePipeline()
-            r = np.linalg.norm(points_of(spheroid), axis=1)
-            self.assertLessEqual(r.max(), 0.7 * (1 + 1e-5), profile)
-            self.assertGreater(r.max(), 0.65, profile)
-            self.assertAlmostEqual(light_of(spheroid).sum() / 7.5, 1, delta=1e-5, msg=profile)
-
-    def test_sersic_half_light_radius(self):
-        for index in (1, 2, 4):
-            spheroid = simple.Spheroid(Profile="Sersic", SersicIndex=index, EffectiveRadius=0.8,
-                                       NumberOfParticles=200000)
-            spheroid.UpdatePipeline()
-            projected = np.median(np.hypot(*points_of(spheroid)[:, :2].T))
-            self.assertAlmostEqual(projected / 0.8, 1, delta=0.01, msg=str(index))
-
-    def test_clusters_hold_the_particles_together(self):
-        spheroid = simple.Spheroid(Profile="Cored", ScaleRadius=2, Clusters=25, Luminosity=3,
-                                   ClusterRadius=0.001, NumberOfParticles=25000)
-        spheroid.UpdatePipeline()
-        points = points_of(spheroid)
-        self.assertEqual(len(points), 25000)
-        self.assertAlmostEqual(light_of(spheroid).sum() / 3, 1, delta=1e-5)
-        # A thousand particles a cluster, in order; half of a Plummer sphere is within 1.305 radii.
-        groups = points.reshape(25, 1000, 3)
-        centres = np.median(groups, axis=1)
-        distance = np.linalg.norm(groups - centres[:, None], axis=2)
-        np.testing.assert_allclose(np.median(distance, axis=1), 0.001305, rtol=0.15)
-        self.assertGreater(np.linalg.norm(centres, axis=1).std(), 0.2)
-
-    def spheroid(self, **properties):
-        source = simple.Spheroid(**dict({"NumberOfParticles": 50000}, **properties))
-        source.UpdatePipeline()
-        return source
-
-    def test_presets_of_a_spheroid(self):
-        bulge = self.spheroid(Preset="Bulge", EffectiveRadius=5, CentralBrightness=2)
-        points = points_of(bulge)
-        projected = np.median(np.hypot(*points[:, :2].T))
-        self.assertAlmostEqual(projected / 0.7, 1, delta=0.02)  # the preset's, not the property's
-        x, _, z = np.median(np.abs(points), axis=0)
-        self.assertAlmostEqual(z / x, 0.7, delta=0.02)
-        half = self.spheroid(Preset="Bulge", CentralBrightness=1)
-        self.assertAlmostEqual(light_of(bulge).sum() / light_of(half).sum(), 2, delta=1e-5)
-        for preset in ("StellarHalo", "Elliptical", "DwarfSpheroidal", "DwarfElliptical",
-                       "DwarfIrregular"):
-            self.assertGreater(light_of(self.spheroid(Preset=preset)).sum(), 0, preset)
-        self.assertEqual(light_of(self.spheroid(Preset="DarkHalo")).sum(), 0)
-        halo = self.spheroid(Preset="DarkHalo", Luminosity=3)
-        self.assertAlmostEqual(light_of(halo).sum() / 3, 1, delta=1e-5)
-        self.assertLess(np.linalg.norm(points_of(halo), axis=1).max(), 200 * (1 + 1e-5))
-
-    def test_slope_and_orientation_of_a_spheroid(self):
-        # A core with the slope 5 is Plummer's sphere.
-        points = points_of(self.spheroid(Profile="Cored", Slope=5, Concentration=1e6,
-                                         ScaleRadius=0.5))
-        self.assertAlmostEqual(np.median(np.linalg.norm(points, axis=1)) / 0.65240, 1, delta=0.01)
-        # The first axis 30 degrees from North to the East (-X), the third to the West of it.
-        points = points_of(self.spheroid(Sigma=[0.5, 0.3, 0.2], Oriented=1, PositionAngle=30,
-                                         Inclination=90))
-        s, c = np.sin(np.pi / 6), np.cos(np.pi / 6)
-        for axis, sigma in (([-s, c, 0], 0.5), ([0, 0, 1], 0.3), ([c, s, 0], 0.2)):
-            self.assertAlmostEqual((points @ axis).std() / sigma, 1, delta=0.02)
-
-    def test_shells_and_listed_clusters_of_a_spheroid(self):
-        shells = written("shells.csv", "semi_major,axis_ratio_b,axis_ratio_c,position_angle\n"
-                                       "0,0.5,0.25,90\n9,0.5,0.25,90\n")
-        x, y, z = points_of(self.spheroid(Profile="Exponential", Shells=shells)).std(axis=0)
-        self.assertAlmostEqual(y / x, 0.5, delta=0.01)
-        self.assertAlmostEqual(z / x, 0.25, delta=0.005)
-        listed = written("clusters.csv", "x,y,z,luminosity\n1,2,3,1\n-4,0,1,3\n")
-        source = self.spheroid(ClusterList=listed, Luminosity=8, Center=[0, 0, 10])
-        points, light = points_of(source), light_of(source)
-        for centre, expected in (([1, 2, 13], 2), ([-4, 0, 11], 6)):
-            near = np.linalg.norm(points - centre, axis=1) < 1
-            self.assertAlmostEqual(light[near].sum() / expected, 1, delta=1e-3)
-        sky = written("sky.csv", "ra,dec\n10,20\n")
-        for properties, word in (({"ClusterList": listed}, "Luminosity: must be"),
-                                 ({"ClusterList": sky, "Luminosity": 1}, "x, y and z"),
-                                 ({"Shells": sky}, "semi_major"),
-                                 ({"Shells": "absent.csv"}, "absent.csv")):
-            with gt.Messages() as messages:
-                bad = self.spheroid(**properties)
-            self.assertIn(word, messages.text)
-            self.assertEqual(count_of(bad), 0)
-
-    def test_a_spheroid_refuses_by_name(self):
-        spheroid = simple.Spheroid(NumberOfParticles=1000)
-        nan = float("nan")
-        self.refused(spheroid, {
-            "NumberOfParticles": (-1, "NumberOfParticles"), "Sigma": ([-1, 1, 1], "sigma"),
-            "EffectiveRadius": (0, "effective_radius"), "SersicIndex": (1e9, "sersic_index"),
-            "ScaleRadius": (-1, "scale_radius"), "Slope": (1, "slope"),
-            "Concentration": (0, "concentration"), "Truncation": (-2, "truncation"),
-            "AxisRatios": ([-0.5, 1], "axis_ratios"), "Inclination": (200, "inclination"),
-            "PositionAngle": (nan, "position_angle"), "Clusters": (-3, "clusters"),
-            "ClusterRadius": (0, "cluster_radius"), "Center": ([0, nan, 0], "Center"),
-            "CentralBrightness": (-1, "central_brightness"), "Luminosity": (-5, "Luminosity"),
-            "Color": ([1, -1, 1], "Color"), "SmoothingLength": (-1, "SmoothingLength"),
-            "RandomSeed": (-1, "RandomSeed"),
-        })
-        self.refused(spheroid, {
-            "Sigma": ([0, 0, 0], "sigma"), "ScaleRadius": (nan, "scale_radius"),
-            "Truncation": (1e-300, "truncation"), "AxisRatios": ([0, 0], "axis_ratios"),
-            "CentralBrightness": (nan, "central_brightness"), "Luminosity": (nan, "Luminosity"),
-            "Color": ([nan, 1, 1], "Color"),
-        })
-        spheroid.NumberOfParticles = 0
-        spheroid.UpdatePipeline()
-        self.assertEqual(count_of(spheroid), 0)
+        self.assertEqual(gt.count_of(lightless), 0)
 
     # --- GalaxyModel -----------------------------------------------------------------------------
 
@@ -419,7 +252,7 @@ class Filters(unittest.TestCase):
         report = json.loads(str(model.ReportJSON))
         names = ["stars", "young stars", "gas", "dust", "bulge"]
         self.assertEqual([entry["component"] for entry in report], names)
-        component, light = gt.array(model, "Component"), light_of(model)
+        component, light = gt.array(model, "Component"), gt.light_of(model)
         totals = np.bincount(component, light, len(names))
         for index, entry in enumerate(report):
             self.assertEqual(entry["particles"], np.count_nonzero(component == index))
@@ -428,7 +261,7 @@ class Filters(unittest.TestCase):
             self.assertTrue(all(second >= 0 for second in entry["seconds"].values()))
             if entry["flux"] > 0:
                 self.assertLessEqual(entry["light"], entry["flux"] * (1 + 1e-6))
-        self.assertEqual(sum(entry["particles"] for entry in report), count_of(model))
+        self.assertEqual(sum(entry["particles"] for entry in report), gt.count_of(model))
 
         data = servermanager.Fetch(model)
         arrays = data.GetPointData()
