@@ -1,5 +1,5 @@
-#include "Filters/Splatting/ActiveEffects.h"
 #include "Filters/Splatting/DepthOrder.h"
+#include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/Tiles.h"
 
@@ -14,10 +14,6 @@ namespace galaxy
 {
 namespace
 {
-/// Beside the particles a picture takes so many bytes for each of them, and no less than for many.
-constexpr std::size_t bytesPerParticle = 12;
-constexpr std::size_t fewestBytes = std::size_t(64) << 20;
-
 /// One thread's memory, kept from tile to tile.
 struct Workspace
 {
@@ -28,11 +24,29 @@ struct Workspace
   float thickest = 0;
 };
 
-/// Through the middle of a Gaussian, or over the pixel that holds a small one.
-float opticalDepth(const Splat& splat, const float* t)
+/// What the splats of a tile are in sum.
+struct TileSummary
 {
-  return std::max({ t[0], t[1], t[2] }) * std::min(1.0F, 2.865F / (splat.h * splat.h));
-}
+  TileAbsorption absorption = TileAbsorption::None;
+  float brightest = 0; ///< the largest luminosity of one over a pixel's area
+  float thickest = 0;  ///< the largest optical depth of one
+
+  void add(const Splat& splat, const SlabLight& light)
+  {
+    const auto [e, t] = std::pair(light.e, light.t);
+    this->brightest = std::max({ this->brightest, e[0], e[1], e[2] });
+    if (splat.kind() == SplatKind::Emits)
+    {
+      return;
+    }
+    const bool isGrey = t[0] == t[1] && t[1] == t[2];
+    this->absorption =
+      std::max(this->absorption, isGrey ? TileAbsorption::Grey : TileAbsorption::Color);
+    // Through the middle of a Gaussian, or over the pixel that holds a small one.
+    const float inPixel = std::min(1.0F, 2.865F / (splat.h * splat.h));
+    this->thickest = std::max(this->thickest, std::max({ t[0], t[1], t[2] }) * inPixel);
+  }
+};
 
 /// One rendering.
 class Compositor
@@ -50,12 +64,11 @@ private:
   void renderBands(RenderedImage& image);
   void renderBand(const TileDealer& dealer, RenderedImage& image);
   void renderTile(int tile, const TileGrid& grid, Workspace& work, RenderedImage& image);
-  TileTask taskOf(int tile, Workspace& work);
+  TileTask taskOf(int tile, Workspace& work) const;
   bool proceed(std::size_t more);
   void loadOpaque(int left, int bottom, const TileTask& task, TileSums& sums) const;
   void store(
     int left, int bottom, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
-  void describe(RenderedImage& image) const;
 
   Projection projection;
   Camera camera;
@@ -72,22 +85,18 @@ private:
 
 RenderedImage Compositor::render()
 {
-  RenderedImage image;
-  image.width = this->camera.width;
-  image.height = this->camera.height;
-  const std::size_t values = 3 * std::size_t(image.width) * image.height;
-  image.radiance.resize(values);
-  image.transmittance.resize(values, 1.0f);
-  if (values > 0 && this->proceed(0))
+  RenderedImage image = emptyPicture(this->camera);
+  if (!image.radiance.empty() && this->proceed(0))
   {
     this->renderBands(image);
   }
-  image.aborted = this->aborted;
-  this->describe(image);
-  if (image.aborted)
+  finishPicture(this->counts, this->aborted, image);
+  image.statistics.untouched = this->untouched;
+  image.statistics.thickest = this->thickest;
+  const char* names[] = { "count", "project", "sort", "composite" };
+  for (int stage = 0; stage < 4; ++stage)
   {
-    std::fill(image.radiance.begin(), image.radiance.end(), 0.0f);
-    std::fill(image.transmittance.begin(), image.transmittance.end(), 1.0f);
+    image.statistics.seconds.emplace_back(names[stage], this->seconds[stage]);
   }
   return image;
 }
@@ -107,19 +116,14 @@ bool Compositor::proceed(std::size_t more)
 void Compositor::renderBands(RenderedImage& image)
 {
   const double start = omp_get_wtime();
-  TileDealer dealer(this->projection, this->camera, this->options.kernel);
+  const TileDealer dealer(this->projection, this->camera, this->options.kernel);
   this->seconds[0] = omp_get_wtime() - start;
   this->counts = dealer.missing();
-  for (int tile = 0; tile < dealer.grid().size(); ++tile)
-  {
-    this->splats += dealer.splatsOf(tile);
-  }
-  const std::vector<int> bands =
-    dealer.bands(std::max(fewestBytes, bytesPerParticle * this->projection.size()));
-  for (std::size_t k = 0; k + 1 < bands.size() && !this->aborted; ++k)
+  this->splats = dealer.splats();
+  for (int k = 0; k < dealer.bands() && !this->aborted; ++k)
   {
     const double before = omp_get_wtime();
-    dealer.deal(bands[k], bands[k + 1], this->band);
+    dealer.deal(k, this->band);
     this->seconds[1] += omp_get_wtime() - before;
     this->counts += this->band.counts;
     this->renderBand(dealer, image);
@@ -163,56 +167,32 @@ void Compositor::renderBand(const TileDealer& dealer, RenderedImage& image)
   this->seconds[3] += seconds[1] / sum * wall;
 }
 
-TileTask Compositor::taskOf(int tile, Workspace& work)
+TileTask Compositor::taskOf(int tile, Workspace& work) const
 {
   const int k = tile - this->band.firstTile;
   TileTask task;
-  task.negligible = static_cast<float>(this->options.negligible);
   task.splats = this->band.splats.data() + this->band.first[k];
   task.count = this->band.first[k + 1] - this->band.first[k];
   task.kernel = this->options.kernel;
   task.hasOpaque = this->options.opaqueDepth != nullptr;
-  task.slabLight = [this](const Splat& splat) {
-    const SlabName name = SlabName::of(splat);
-    const ParticleLight light = this->projection.light(name.particle);
-    SlabLight slab;
-    for (int c = 0; c < 3; ++c)
-    {
-      slab.e[c] = light.L[c] * name.perArea;
-      slab.t[c] = light.K[c] * name.perArea;
-    }
-    return slab;
-  };
-  work.order.resize(task.count);
-  bool absorbs = false, isColored = false;
+  task.negligible = static_cast<float>(this->options.negligible);
+  task.projection = &this->projection;
+  TileSummary summary;
   for (std::size_t slot = 0; slot < task.count; ++slot)
   {
-    const Splat& splat = task.splats[slot];
-    work.order[slot] = keyedSlot(farFirstKey(splat.depth), static_cast<std::uint32_t>(slot));
-    if (splat.kind() == SplatKind::Absorbs)
-    {
-      absorbs = true;
-      work.thickest = std::max(work.thickest, opticalDepth(splat, splat.light));
-      isColored |= splat.light[0] != splat.light[1] || splat.light[1] != splat.light[2];
-    }
-    else if (splat.kind() == SplatKind::Emits)
-    {
-      task.brightest = std::max({ task.brightest, splat.light[0], splat.light[1], splat.light[2] });
-    }
-    else
-    {
-      const SlabLight slab = task.slabLight(splat);
-      absorbs = true;
-      work.thickest = std::max(work.thickest, opticalDepth(splat, slab.t));
-      isColored |= slab.t[0] != slab.t[1] || slab.t[1] != slab.t[2];
-      task.brightest = std::max({ task.brightest, slab.e[0], slab.e[1], slab.e[2] });
-    }
+    summary.add(task.splats[slot], this->projection.lightOf(task.splats[slot]));
   }
-  task.absorption = !absorbs ? TileAbsorption::None
-    : isColored              ? TileAbsorption::Color
-                             : TileAbsorption::Grey;
-  if (absorbs)
+  task.absorption = summary.absorption;
+  task.brightest = summary.brightest;
+  work.thickest = std::max(work.thickest, summary.thickest);
+  if (task.absorption != TileAbsorption::None)
   {
+    work.order.resize(task.count);
+    for (std::size_t slot = 0; slot < task.count; ++slot)
+    {
+      work.order[slot] =
+        keyedSlot(farFirstKey(task.splats[slot].depth), static_cast<std::uint32_t>(slot));
+    }
     sortByKey(work.order, work.scratch);
     task.order = work.order.data();
   }
@@ -266,23 +246,6 @@ void Compositor::store(
         }
       }
     }
-  }
-}
-
-void Compositor::describe(RenderedImage& image) const
-{
-  RenderStatistics& statistics = image.statistics;
-  statistics.drawn = this->counts.drawn;
-  statistics.culled = this->counts.culled;
-  statistics.invalid = this->counts.invalid;
-  statistics.absorbers = this->counts.absorbers;
-  statistics.untouched = this->untouched;
-  statistics.thickest = this->thickest;
-  statistics.activeEffects = activeEffects(this->counts);
-  const char* names[] = { "count", "project", "sort", "composite" };
-  for (int stage = 0; stage < 4; ++stage)
-  {
-    statistics.seconds.emplace_back(names[stage], this->seconds[stage]);
   }
 }
 } // namespace

@@ -9,7 +9,7 @@ namespace galaxy
 {
 namespace
 {
-/// The share of a Gaussian disc's light in pixel (i, j), see GaussianFootprint.
+/// The share of a Gaussian disc's light in pixel (i, j).
 double gaussianShare(double x, double y, double h, int i, int j)
 {
   h = std::max(h, 1e-4);
@@ -25,7 +25,7 @@ double gaussianShare(double x, double y, double h, int i, int j)
   return 0.25 * across * along;
 }
 
-/// The share of a spline disc's light in pixel (i, j), see SplineFootprint.
+/// The share of a spline disc's light in pixel (i, j), see SplineWeights.
 double splineShare(double x, double y, double h, int i, int j)
 {
   h = std::max(h, 1e-3);

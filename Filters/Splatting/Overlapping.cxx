@@ -1,6 +1,6 @@
-#include "Filters/Splatting/ActiveEffects.h"
 #include "Filters/Splatting/FootprintShare.h"
 #include "Filters/Splatting/OpticalModel.h"
+#include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/Tiles.h"
 
 #include <algorithm>
@@ -113,15 +113,9 @@ private:
     ball.y = double(splat.row()) + splat.y;
     ball.h = splat.h;
     ball.distance = splat.depth;
-    const bool isSlab = splat.kind() == SplatKind::Slab;
-    const SlabName name = SlabName::of(splat);
-    const ParticleLight light = isSlab ? projection.light(name.particle) : ParticleLight{};
-    for (int c = 0; c < 3; ++c)
-    {
-      const bool emits = splat.kind() == SplatKind::Emits;
-      ball.e[c] = isSlab ? double(light.L[c]) * name.perArea : emits ? splat.light[c] : 0;
-      ball.t[c] = isSlab ? double(light.K[c]) * name.perArea : emits ? 0 : splat.light[c];
-    }
+    const SlabLight light = projection.lightOf(splat);
+    std::copy_n(light.e, 3, ball.e);
+    std::copy_n(light.t, 3, ball.t);
     const double pixelsPerKpc = this->camera.parallel
       ? this->camera.scale
       : this->camera.scale * this->rayThrough(ball.x, ball.y).length() / ball.distance;
@@ -237,24 +231,18 @@ private:
 RenderedImage renderOverlapping(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
-  RenderedImage image;
-  image.width = camera.width;
-  image.height = camera.height;
-  const std::size_t values = 3 * std::size_t(image.width) * image.height;
-  image.radiance.resize(values);
-  image.transmittance.resize(values, 1.0f);
+  RenderedImage image = emptyPicture(camera);
   const double start = omp_get_wtime();
   const Projection projection(particles, camera);
-  TileDealer dealer(projection, camera, options.kernel);
+  const TileDealer dealer(projection, camera, options.kernel);
   const TileGrid& grid = dealer.grid();
   ProjectionCounts counts = dealer.missing();
   TileBand band;
   std::atomic<bool> aborted{ options.progress && !options.progress(0) };
   std::atomic<std::size_t> coarse{ 0 };
-  const std::vector<int> bands = dealer.bands(12 * particles.size + (std::size_t(64) << 20));
-  for (std::size_t k = 0; k + 1 < bands.size() && !aborted; ++k)
+  for (int k = 0; k < dealer.bands() && !aborted; ++k)
   {
-    dealer.deal(bands[k], bands[k + 1], band);
+    dealer.deal(k, band);
     counts += band.counts;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int tile = band.firstTile; tile < band.lastTile; ++tile)
@@ -275,18 +263,12 @@ RenderedImage renderOverlapping(
       }
     }
   }
-  image.aborted = aborted;
-  if (image.aborted)
-  {
-    std::fill(image.radiance.begin(), image.radiance.end(), 0.0f);
-    std::fill(image.transmittance.begin(), image.transmittance.end(), 1.0f);
-  }
-  image.statistics.drawn = counts.drawn;
-  image.statistics.culled = counts.culled;
-  image.statistics.invalid = counts.invalid;
-  image.statistics.absorbers = counts.absorbers;
+  finishPicture(counts, aborted, image);
   image.statistics.coarse = coarse;
-  image.statistics.activeEffects = activeEffects(counts) + "; overlapping particles by slices";
+  if (counts.absorbers > 0)
+  {
+    image.statistics.activeEffects += "; overlapping particles by slices";
+  }
   image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
   return image;
 }

@@ -1,6 +1,6 @@
 #include "Filters/Splatting/Projection.h"
 
-#include "Filters/Splatting/GaussianFootprint.h"
+#include "Filters/Splatting/GaussianGain.h"
 #include "Filters/Splatting/SplatBlock.h"
 
 #include <algorithm>

@@ -38,6 +38,9 @@ struct ParticleLight
   bool grey() const { return this->K[0] == this->K[1] && this->K[1] == this->K[2]; }
 };
 
+/// So many consecutive particles are projected together.
+constexpr int particlesAtOnce = 1024;
+
 /// Pixels x0 <= x < x1, y0 <= y < y1.
 struct PixelBox
 {
@@ -60,7 +63,7 @@ struct ProjectionCounts
 /// The light of the particles of a block, by kind, over the pixel's area.
 struct LitBlock
 {
-  static constexpr int most = 1024;
+  static constexpr int most = particlesAtOnce;
   enum Fate : std::uint8_t
   {
     Drawn,
@@ -130,6 +133,34 @@ public:
   /// The same, times the inverse areas of the pixels there, of particles first + which[k].
   void light(std::size_t first, const std::uint16_t* which, int count, const float* perArea,
     LitBlock& lit) const;
+  /// Of a splat of kind Slab.
+  SlabLight slab(const Splat& splat) const
+  {
+    const SlabName name = SlabName::of(splat);
+    const ParticleLight light = this->light(name.particle);
+    SlabLight slab;
+    for (int c = 0; c < 3; ++c)
+    {
+      slab.e[c] = light.L[c] * name.perArea;
+      slab.t[c] = light.K[c] * name.perArea;
+    }
+    return slab;
+  }
+  /// Of any splat.
+  SlabLight lightOf(const Splat& splat) const
+  {
+    const float* l = splat.light;
+    switch (splat.kind())
+    {
+      case SplatKind::Emits:
+        return { { l[0], l[1], l[2] }, {} };
+      case SplatKind::Absorbs:
+        return { {}, { l[0], l[1], l[2] } };
+      case SplatKind::Slab:
+        break;
+    }
+    return this->slab(splat);
+  }
   /// Of one particle, as the block's k-th.
   void light(std::size_t i, int k, float perArea, LitBlock& lit) const;
 

@@ -1,7 +1,7 @@
-#include "Filters/Splatting/ActiveEffects.h"
 #include "Filters/Splatting/FootprintShare.h"
-#include "Filters/Splatting/GaussianFootprint.h"
+#include "Filters/Splatting/GaussianGain.h"
 #include "Filters/Splatting/OpticalModel.h"
+#include "Filters/Splatting/Picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,18 +111,11 @@ RenderedImage renderReference(
   {
     addDisc(disc, camera, options, sums);
   }
-  RenderedImage image;
-  image.width = camera.width;
-  image.height = camera.height;
-  image.radiance.assign(sums.I.begin(), sums.I.end());
-  image.transmittance.resize(values);
+  RenderedImage image = emptyPicture(camera);
+  std::copy(sums.I.begin(), sums.I.end(), image.radiance.begin());
   std::transform(sums.tau.begin(), sums.tau.end(), image.transmittance.begin(),
     [](double tau) { return static_cast<float>(std::exp(-tau)); });
-  image.statistics.drawn = counts.drawn;
-  image.statistics.culled = counts.culled;
-  image.statistics.invalid = counts.invalid;
-  image.statistics.absorbers = counts.absorbers;
-  image.statistics.activeEffects = activeEffects(counts);
+  finishPicture(counts, false, image);
   return image;
 }
 } // namespace galaxy

@@ -12,7 +12,7 @@ namespace galaxy
 /// Up to `most` particles as the camera has yet to see them.
 struct BlockPlaces
 {
-  static constexpr int most = 1024;
+  static constexpr int most = particlesAtOnce;
 
   float x[most], y[most], z[most]; ///< kpc
   float radius[most];              ///< smoothing length as drawn, kpc

@@ -2,12 +2,12 @@
 #define galaxy_TileComposite_h
 
 #include "Filters/Splatting/DepthOrder.h"
+#include "Filters/Splatting/Projection.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/TileSums.h"
 
 #include <cstddef>
-#include <functional>
 
 namespace galaxy
 {
@@ -26,8 +26,7 @@ struct TileTask
   float brightest = 0;
   /// Where what is left cannot add as much, it is left away, luminosity per kpc^2.
   float negligible = 0;
-  /// The light of a splat of kind Slab.
-  std::function<SlabLight(const Splat&)> slabLight;
+  const Projection* projection = nullptr; ///< that knows the light of slabs
 };
 
 /// Adds the splats to the sums, which hold nothing before (light and tau 0, through 1); how many of

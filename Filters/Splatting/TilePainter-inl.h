@@ -135,11 +135,7 @@ private:
     }
     else if constexpr (planes > 0)
     {
-      SlabLight light = { {}, { splat.light[0], splat.light[1], splat.light[2] } };
-      if (splat.kind() == SplatKind::Slab)
-      {
-        light = this->task.slabLight(splat);
-      }
+      const SlabLight light = this->task.projection->lightOf(splat);
       const float thickest =
         std::max({ light.t[0], light.t[1], light.t[2] }) * footprint.mostOfAPixel();
       if (thickest < thinnestSeen)

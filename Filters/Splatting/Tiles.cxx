@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <omp.h>
 
 namespace galaxy
@@ -263,29 +264,37 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ker
       this->totals[tile] += this->counts[part][tile];
     }
   }
+  this->cutIntoBands();
 }
 
-std::vector<int> TileDealer::bands(std::size_t bytes)
+void TileDealer::cutIntoBands()
 {
-  std::vector<int> starts = { 0 };
+  constexpr std::size_t bytesPerParticle = 16 - sizeof(std::uint32_t); // the rest has its home
+  constexpr std::size_t fewestBytes = std::size_t(64) << 20;
+  const std::size_t bytes = std::max(fewestBytes, bytesPerParticle * this->projection.size());
+  this->starts = { 0 };
   std::size_t inBand = 0;
-  this->largestBand = 0;
   for (int tile = 0; tile < this->tiles.size(); ++tile)
   {
     if (inBand > 0 && (inBand + this->totals[tile]) * sizeof(Splat) > bytes)
     {
-      starts.push_back(tile);
+      this->starts.push_back(tile);
       inBand = 0;
     }
     inBand += this->totals[tile];
     this->largestBand = std::max(this->largestBand, inBand);
   }
-  starts.push_back(this->tiles.size());
-  return starts;
+  this->starts.push_back(this->tiles.size());
 }
 
-void TileDealer::deal(int firstTile, int lastTile, TileBand& band) const
+std::size_t TileDealer::splats() const
 {
+  return std::accumulate(this->totals.begin(), this->totals.end(), std::size_t(0));
+}
+
+void TileDealer::deal(int k, TileBand& band) const
+{
+  const int firstTile = this->starts[k], lastTile = this->starts[k + 1];
   const int width = lastTile - firstTile;
   const std::size_t parts = this->counts.size();
   band.firstTile = firstTile;
@@ -295,19 +304,19 @@ void TileDealer::deal(int firstTile, int lastTile, TileBand& band) const
   // Tile after tile, and in a tile share after share, which is the order of the particles' index.
   std::vector<std::vector<std::size_t>> places(parts, std::vector<std::size_t>(width));
   std::size_t sum = 0;
-  for (int k = 0; k < width; ++k)
+  for (int tile = 0; tile < width; ++tile)
   {
-    band.first[k] = sum;
+    band.first[tile] = sum;
     for (std::size_t part = 0; part < parts; ++part)
     {
-      places[part][k] = sum;
-      sum += this->counts[part][firstTile + k];
+      places[part][tile] = sum;
+      sum += this->counts[part][firstTile + tile];
     }
   }
   band.first[width] = sum;
   if (band.splats.size() < sum)
   {
-    band.splats = Buffer<Splat>(std::max(sum, this->largestBand));
+    band.splats = Buffer<Splat>(this->largestBand);
   }
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)

@@ -43,21 +43,24 @@ public:
   /// particles than 32 bits can number.
   TileDealer(const Projection& projection, const Camera& camera, Kernel kernel);
 
-  /// Ranges of tiles of which each holds no more splats than `bytes` have room for (one tile at
-  /// least), as the tiles where each begins, and the number of tiles.
-  std::vector<int> bands(std::size_t bytes);
+  /// How many bands the tiles make, so many that the splats of each fit into memory: with the home
+  /// of every particle 16 bytes for each of them, and no less than 64 MB.
+  int bands() const { return static_cast<int>(this->starts.size()) - 1; }
 
-  /// The splats of the tiles from `firstTile` to `lastTile`; the same for any number of threads.
-  /// Splats are written over those of the band before, whose memory is used again.
-  void deal(int firstTile, int lastTile, TileBand& band) const;
+  /// The splats of band k; the same for any number of threads. They are written over those of the
+  /// band before, whose memory is used again.
+  void deal(int k, TileBand& band) const;
 
   const TileGrid& grid() const { return this->tiles; }
   std::size_t splatsOf(int tile) const { return this->totals[tile]; }
+  std::size_t splats() const; ///< of all tiles
   /// Particles that are nowhere: off the image, behind the eye or hidden, and invalid ones.
   const ProjectionCounts& missing() const { return this->absent; }
 
 private:
   class Share;
+
+  void cutIntoBands();
 
   const Projection& projection;
   Camera camera;
@@ -67,7 +70,8 @@ private:
   std::vector<std::vector<std::uint32_t>> counts; ///< by share and tile
   std::vector<std::size_t> totals;                ///< by tile
   ProjectionCounts absent;
-  std::size_t largestBand = 0; ///< splats of the largest that bands() made
+  std::vector<int> starts;     ///< the first tile of each band, and the number of tiles
+  std::size_t largestBand = 0; ///< splats
 };
 } // namespace galaxy
 

@@ -1,5 +1,5 @@
-#ifndef galaxy_GaussianFootprint_h
-#define galaxy_GaussianFootprint_h
+#ifndef galaxy_GaussianGain_h
+#define galaxy_GaussianGain_h
 
 #include <algorithm>
 #include <cmath>
