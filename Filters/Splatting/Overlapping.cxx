@@ -36,13 +36,28 @@ struct Ray
   double dot(const Ray& other) const { return 1 + this->u * other.u + this->v * other.v; }
 };
 
-/// Depths of equal thickness in front of the observer.
+/// Slices of equal thickness through the depths where something absorbs, one for all before them
+/// and one for all behind: there light adds up, however it lies.
 struct Slices
 {
+  double observer = 0; ///< what lies behind him is not seen
   double start = 0;
   double thickness = 1;
-  int count = 0;
-  double edge(int s) const { return this->start + s * this->thickness; }
+  int inner = 0;
+
+  int count() const { return this->inner + 2; }
+  /// Where slice s begins.
+  double edge(int s) const
+  {
+    return s == 0          ? this->observer
+      : s == this->count() ? std::numeric_limits<double>::infinity()
+                           : this->start + (s - 1) * this->thickness;
+  }
+  int at(double depth) const
+  {
+    const double s = std::floor((depth - this->start) / this->thickness) + 1;
+    return static_cast<int>(std::clamp(s, 0.0, double(this->count() - 1)));
+  }
 };
 
 class TileSlicer
@@ -65,7 +80,7 @@ public:
       this->balls.push_back(this->ballOf(splats[k], projection));
     }
     this->slices = this->slicesOf();
-    this->sums.assign(std::size_t(this->columns) * this->rows * this->slices.count * 6, 0.0);
+    this->sums.assign(std::size_t(this->columns) * this->rows * this->slices.count() * 6, 0.0);
     for (const Ball& ball : this->balls)
     {
       this->spread(ball);
@@ -73,7 +88,7 @@ public:
   }
 
   /// Whether there are fewer slices than the options ask for.
-  bool isCoarse() const { return this->slices.count == mostSlices; }
+  bool isCoarse() const { return this->slices.inner == mostSlices; }
 
   void march(RenderedImage& image) const
   {
@@ -86,7 +101,7 @@ public:
         for (int c = 0; c < 3; ++c)
         {
           double I = 0, T = 1;
-          for (int s = 0; s < this->slices.count; ++s)
+          for (int s = 0; s < this->slices.count(); ++s)
           {
             const double* sum = this->sumsAt(x, y, s);
             I += T * sum[c] * escapeFraction(sum[3 + c]);
@@ -129,26 +144,35 @@ private:
 
   Slices slicesOf() const
   {
-    double near = std::numeric_limits<double>::infinity(), far = -near, smallest = near;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double near = infinity, far = -infinity, smallest = infinity;
     for (const Ball& ball : this->balls)
     {
-      near = std::min(near, ball.distance - reach * ball.sigma);
-      far = std::max(far, ball.distance + reach * ball.sigma);
-      const bool absorbs = ball.t[0] > 0 || ball.t[1] > 0 || ball.t[2] > 0;
-      smallest = absorbs ? std::min(smallest, ball.sigma) : smallest;
+      if (ball.t[0] > 0 || ball.t[1] > 0 || ball.t[2] > 0)
+      {
+        // On a ray beside its centre a ball is nearer than that by less than so much.
+        const double b = 3 * ball.sigma;
+        const double nearer = this->camera.parallel ? 0 : b * b / std::max(ball.distance, b);
+        near = std::min(near, ball.distance - reach * ball.sigma - nearer);
+        far = std::max(far, ball.distance + reach * ball.sigma);
+        smallest = std::min(smallest, ball.sigma);
+      }
     }
-    near = this->camera.parallel ? near : std::max(near, 0.0);
     Slices slices;
-    const double wanted = (far - near) / smallest * this->options.slices;
-    slices.count = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double(mostSlices)));
-    slices.start = near;
-    slices.thickness = (far - near) / slices.count;
+    slices.observer = this->camera.parallel ? -infinity : 0;
+    if (far > near)
+    {
+      slices.start = std::max(near, slices.observer);
+      const double wanted = (far - slices.start) / smallest * this->options.slices;
+      slices.inner = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double(mostSlices)));
+      slices.thickness = (far - slices.start) / slices.inner;
+    }
     return slices;
   }
 
   double* sumsAt(int x, int y, int s)
   {
-    return &this->sums[6 * ((std::size_t(y) * this->columns + x) * this->slices.count + s)];
+    return &this->sums[6 * ((std::size_t(y) * this->columns + x) * this->slices.count() + s)];
   }
   const double* sumsAt(int x, int y, int s) const
   {
@@ -195,19 +219,15 @@ private:
     const std::size_t pixel = std::size_t(this->bottom + y) * this->camera.width + this->left + x;
     const double opaque = this->options.opaqueDepth ? this->options.opaqueDepth[pixel]
                                                     : std::numeric_limits<double>::infinity();
-    const Slices& all = this->slices;
-    const auto sliceAt = [&all](double d) {
-      return static_cast<int>(
-        std::clamp((d - all.start) / all.thickness, 0.0, double(all.count - 1)));
-    };
-    const int last = sliceAt(depth + reach * ball.sigma);
-    double before = std::erf((all.start - depth) / ball.sigma);
-    int s = sliceAt(depth - reach * ball.sigma);
-    before = s > 0 ? -1 : before; // what lies beyond the reach counts to the first slice
-    for (; s <= last && all.edge(s) < opaque; ++s)
+    const int last = this->slices.at(depth + reach * ball.sigma);
+    int s = this->slices.at(depth - reach * ball.sigma);
+    // What lies beyond the reach counts to the first slice and to the last.
+    double before = s > 0 ? -1 : std::erf((this->slices.observer - depth) / ball.sigma);
+    for (; s <= last && this->slices.edge(s) < opaque; ++s)
     {
-      const double end = std::min(all.edge(s + 1), opaque);
-      const double after = s < last || end == opaque ? std::erf((end - depth) / ball.sigma) : 1;
+      const double end = std::min(
+        s < last ? this->slices.edge(s + 1) : std::numeric_limits<double>::infinity(), opaque);
+      const double after = std::erf((end - depth) / ball.sigma);
       const double part = 0.5 * (after - before) * share;
       double* sum = this->sumsAt(x, y, s);
       for (int c = 0; c < 3; ++c)
