@@ -55,6 +55,7 @@ public:
   Compositor(const ParticleView& particles, const Camera& camera_, const RenderOptions& options_)
     : projection(particles, camera_)
     , camera(camera_)
+    , grid(camera_.width, camera_.height)
     , options(options_)
   {
   }
@@ -62,18 +63,17 @@ public:
 
 private:
   void renderBands(RenderedImage& image);
-  void renderBand(const TileDealer& dealer, RenderedImage& image);
-  void renderTile(int tile, const TileGrid& grid, Workspace& work, RenderedImage& image);
-  TileTask taskOf(int tile, Workspace& work) const;
+  void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
+  void renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image);
+  TileTask taskOf(const TileBand& band, int tile, Workspace& work) const;
   bool proceed(std::size_t more);
-  void loadOpaque(int left, int bottom, const TileTask& task, TileSums& sums) const;
-  void store(
-    int left, int bottom, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
+  void loadOpaque(int tile, const TileTask& task, TileSums& sums) const;
+  void store(int tile, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
 
   Projection projection;
   Camera camera;
+  TileGrid grid;
   const RenderOptions& options;
-  TileBand band;
   ProjectionCounts counts;
   std::size_t splats = 0; ///< of all tiles
   std::atomic<std::size_t> done{ 0 };
@@ -116,25 +116,27 @@ bool Compositor::proceed(std::size_t more)
 void Compositor::renderBands(RenderedImage& image)
 {
   const double start = omp_get_wtime();
-  const TileDealer dealer(this->projection, this->camera, this->options.kernel);
+  RenderMemory own;
+  const TileDealer dealer(
+    this->projection, this->camera, this->options.memory ? *this->options.memory : own);
   this->seconds[0] = omp_get_wtime() - start;
   this->counts = dealer.missing();
   this->splats = dealer.splats();
   for (int k = 0; k < dealer.bands() && !this->aborted; ++k)
   {
     const double before = omp_get_wtime();
-    dealer.deal(k, this->band);
+    const TileBand& band = dealer.deal(k);
     this->seconds[1] += omp_get_wtime() - before;
-    this->counts += this->band.counts;
-    this->renderBand(dealer, image);
+    this->counts += band.counts;
+    this->renderBand(dealer, band, image);
   }
 }
 
-void Compositor::renderBand(const TileDealer& dealer, RenderedImage& image)
+void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image)
 {
   const double start = omp_get_wtime();
-  std::vector<int> tiles(this->band.lastTile - this->band.firstTile);
-  std::iota(tiles.begin(), tiles.end(), this->band.firstTile);
+  std::vector<int> tiles(band.lastTile - band.firstTile);
+  std::iota(tiles.begin(), tiles.end(), band.firstTile);
   // Those with the most splats first, so that no thread is left with a large one at the end.
   std::stable_sort(tiles.begin(), tiles.end(),
     [&](int a, int b) { return dealer.splatsOf(a) > dealer.splatsOf(b); });
@@ -147,7 +149,7 @@ void Compositor::renderBand(const TileDealer& dealer, RenderedImage& image)
     {
       if (!this->aborted && dealer.splatsOf(tiles[n]) > 0)
       {
-        this->renderTile(tiles[n], dealer.grid(), *work, image);
+        this->renderTile(band, tiles[n], *work, image);
         this->proceed(dealer.splatsOf(tiles[n]));
       }
     }
@@ -167,12 +169,12 @@ void Compositor::renderBand(const TileDealer& dealer, RenderedImage& image)
   this->seconds[3] += seconds[1] / sum * wall;
 }
 
-TileTask Compositor::taskOf(int tile, Workspace& work) const
+TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) const
 {
-  const int k = tile - this->band.firstTile;
+  const int k = tile - band.firstTile;
   TileTask task;
-  task.splats = this->band.splats.data() + this->band.first[k];
-  task.count = this->band.first[k + 1] - this->band.first[k];
+  task.splats = band.splats.data() + band.first[k];
+  task.count = band.first[k + 1] - band.first[k];
   task.kernel = this->options.kernel;
   task.hasOpaque = this->options.opaqueDepth != nullptr;
   task.negligible = static_cast<float>(this->options.negligible);
@@ -188,62 +190,70 @@ TileTask Compositor::taskOf(int tile, Workspace& work) const
   if (task.absorption != TileAbsorption::None)
   {
     work.order.resize(task.count);
-    for (std::size_t slot = 0; slot < task.count; ++slot)
+    // Of equal depths the particle that comes first lies behind.
+    for (std::size_t k = 0; k < task.count; ++k)
     {
-      work.order[slot] =
-        keyedSlot(farFirstKey(task.splats[slot].depth), static_cast<std::uint32_t>(slot));
+      const std::size_t slot = task.count - 1 - k;
+      work.order[k] =
+        keyedSlot(nearFirstKey(task.splats[slot].depth), static_cast<std::uint32_t>(slot));
     }
-    sortByKey(work.order, work.scratch);
+    sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
     task.order = work.order.data();
   }
   return task;
 }
 
-void Compositor::renderTile(int tile, const TileGrid& grid, Workspace& work, RenderedImage& image)
+void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image)
 {
-  const int left = tile % grid.columns * tileSide, bottom = tile / grid.columns * tileSide;
   const double start = omp_get_wtime();
-  TileTask task = this->taskOf(tile, work);
-  task.columns = std::min(tileSide, this->camera.width - left);
-  task.rows = std::min(tileSide, this->camera.height - bottom);
+  TileTask task = this->taskOf(band, tile, work);
+  task.pixels = this->grid.pixelsOf(tile);
   const double sorted = omp_get_wtime();
   work.sums.clear(task.absorption);
   if (task.hasOpaque)
   {
-    this->loadOpaque(left, bottom, task, work.sums);
+    this->loadOpaque(tile, task, work.sums);
   }
   this->untouched += task.count - compositeTile(task, work.sums);
-  this->store(left, bottom, task, work.sums, image);
+  this->store(tile, task, work.sums, image);
   work.seconds[0] += sorted - start;
   work.seconds[1] += omp_get_wtime() - sorted;
 }
 
-void Compositor::loadOpaque(int left, int bottom, const TileTask& task, TileSums& sums) const
+void Compositor::loadOpaque(int tile, const TileTask& task, TileSums& sums) const
 {
-  for (int y = 0; y < task.rows; ++y)
+  const PixelBox& box = task.pixels;
+  for (int y = box.y0; y < box.y1; ++y)
   {
-    const std::size_t row = std::size_t(bottom + y) * this->camera.width + left;
-    std::copy_n(this->options.opaqueDepth + row, task.columns, sums.opaque[y]);
+    const std::size_t first = std::size_t(this->grid.bottomOf(tile) + y) * this->camera.width +
+      (this->grid.leftOf(tile) + box.x0);
+    std::copy_n(this->options.opaqueDepth + first, box.x1 - box.x0, sums.opaque[y] + box.x0);
   }
 }
 
 void Compositor::store(
-  int left, int bottom, const TileTask& task, const TileSums& sums, RenderedImage& image) const
+  int tile, const TileTask& task, const TileSums& sums, RenderedImage& image) const
 {
-  for (int y = 0; y < task.rows; ++y)
+  const PixelBox& box = task.pixels;
+  for (int y = box.y0; y < box.y1; ++y)
   {
-    const std::size_t row = std::size_t(bottom + y) * this->camera.width + left;
-    for (int x = 0; x < task.columns; ++x)
+    const std::size_t first = std::size_t(this->grid.bottomOf(tile) + y) * this->camera.width +
+      (this->grid.leftOf(tile) + box.x0);
+    for (int x = box.x0; x < box.x1; ++x)
     {
       for (int c = 0; c < 3; ++c)
       {
-        const std::size_t k = 3 * (row + x) + c;
-        image.radiance[k] = static_cast<float>(sums.light.values[c][y][x]);
-        if (task.absorption != TileAbsorption::None)
+        const std::size_t k = 3 * (first + x - box.x0) + c;
+        const double light = sums.light.values[c][y][x];
+        if (task.absorption == TileAbsorption::None)
         {
-          const int plane = task.absorption == TileAbsorption::Grey ? 0 : c;
-          image.transmittance[k] = static_cast<float>(std::exp(-sums.tau.values[plane][y][x]));
+          image.radiance[k] = static_cast<float>(light);
+          continue;
         }
+        const int plane = task.absorption == TileAbsorption::Grey ? 0 : c;
+        const double T = std::exp(-sums.tau.values[plane][y][x]);
+        image.radiance[k] = static_cast<float>(sums.kept.values[c][y][x] + T * light);
+        image.transmittance[k] = static_cast<float>(T);
       }
     }
   }

@@ -8,64 +8,80 @@ namespace galaxy
 {
 namespace
 {
-constexpr int digitBits = 11;
+constexpr int digitBits = 8;
 constexpr std::size_t digits = std::size_t(1) << digitBits;
+/// Fewer are sorted by comparing them.
+constexpr std::ptrdiff_t fewest = 192;
 
 /// One stable counting pass by the digit of (key - lowest) at `shift`.
-void countingPass(
-  const std::vector<KeyedSlot>& from, std::vector<KeyedSlot>& to, std::uint32_t lowest, int shift)
+void countingPass(const KeyedSlot* from, const KeyedSlot* end, KeyedSlot* to, std::uint32_t lowest,
+  int shift, const std::array<std::uint32_t, digits>& counts)
 {
-  const auto digitOf = [lowest, shift](KeyedSlot item) {
-    return ((static_cast<std::uint32_t>(item >> 32) - lowest) >> shift) & (digits - 1);
-  };
-  std::array<std::uint32_t, digits> next{};
-  for (const KeyedSlot item : from)
-  {
-    ++next[digitOf(item)];
-  }
+  std::array<std::uint32_t, digits> next;
   std::uint32_t sum = 0;
-  for (std::uint32_t& count : next)
+  for (std::size_t d = 0; d < digits; ++d)
   {
-    const std::uint32_t first = sum;
-    sum += count;
-    count = first;
+    next[d] = sum;
+    sum += counts[d];
   }
-  for (const KeyedSlot item : from)
+  for (; from != end; ++from)
   {
-    to[next[digitOf(item)]++] = item;
+    const std::uint32_t key = static_cast<std::uint32_t>(*from >> 32) - lowest;
+    to[next[key >> shift & (digits - 1)]++] = *from;
   }
 }
 } // namespace
 
-std::uint32_t farFirstKey(float depth)
+std::uint32_t nearFirstKey(float depth)
 {
   const float positiveZero = depth + 0.0f; // -0 and +0 are the same depth
   std::uint32_t bits;
   std::memcpy(&bits, &positiveZero, sizeof(bits));
-  const std::uint32_t nearFirst = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-  return ~nearFirst;
+  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-void sortByKey(std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch)
+void sortByKey(KeyedSlot* begin, KeyedSlot* end, std::vector<KeyedSlot>& scratch)
 {
-  if (items.size() < digits)
+  if (end - begin < fewest)
   {
-    std::sort(items.begin(), items.end());
+    std::sort(begin, end);
     return;
   }
+  const auto keyOf = [](KeyedSlot item) { return static_cast<std::uint32_t>(item >> 32); };
   std::uint32_t lowest = UINT32_MAX;
   std::uint32_t highest = 0;
-  for (const KeyedSlot item : items)
+  for (const KeyedSlot* item = begin; item != end; ++item)
   {
-    lowest = std::min(lowest, static_cast<std::uint32_t>(item >> 32));
-    highest = std::max(highest, static_cast<std::uint32_t>(item >> 32));
+    lowest = std::min(lowest, keyOf(*item));
+    highest = std::max(highest, keyOf(*item));
   }
-  scratch.resize(items.size());
-  // Depths seen from outside share their leading bits: two passes are then enough.
-  for (int shift = 0; shift < 32 && (highest - lowest) >> shift != 0; shift += digitBits)
+  // Depths of a part of the picture share their leading bits.
+  int passes = 0;
+  while (passes < 4 && (highest - lowest) >> (digitBits * passes) != 0)
   {
-    countingPass(items, scratch, lowest, shift);
-    items.swap(scratch);
+    ++passes;
+  }
+  std::array<std::array<std::uint32_t, digits>, 4> counts{};
+  for (const KeyedSlot* item = begin; item != end; ++item)
+  {
+    const std::uint32_t key = keyOf(*item) - lowest;
+    for (int pass = 0; pass < passes; ++pass)
+    {
+      ++counts[pass][key >> (digitBits * pass) & (digits - 1)];
+    }
+  }
+  scratch.resize(std::max<std::size_t>(scratch.size(), end - begin));
+  KeyedSlot* from = begin;
+  KeyedSlot* to = scratch.data();
+  const std::ptrdiff_t size = end - begin;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    countingPass(from, from + size, to, lowest, digitBits * pass, counts[pass]);
+    std::swap(from, to);
+  }
+  if (from != begin)
+  {
+    std::copy(from, from + size, begin);
   }
 }
 } // namespace galaxy

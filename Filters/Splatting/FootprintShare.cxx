@@ -1,6 +1,7 @@
 #include "Filters/Splatting/FootprintShare.h"
 
 #include "Filters/Splatting/CubicSpline.h"
+#include "Filters/Splatting/GaussianKernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,20 +10,14 @@ namespace galaxy
 {
 namespace
 {
-/// The share of a Gaussian disc's light in pixel (i, j).
+/// The share of a Gaussian's light in pixel (i, j).
 double gaussianShare(double x, double y, double h, int i, int j)
 {
-  h = std::max(h, 1e-4);
-  const double sigma = h / 3;
-  const double gapX = std::max({ i - x, x - (i + 1), 0.0 });
-  const double gapY = std::max({ j - y, y - (j + 1), 0.0 });
-  if (gapX * gapX + gapY * gapY >= h * h)
-  {
-    return 0;
-  }
-  const double across = std::erf((i + 1 - x) / sigma) - std::erf((i - x) / sigma);
-  const double along = std::erf((j + 1 - y) / sigma) - std::erf((j - y) / sigma);
-  return 0.25 * across * along;
+  const double a = 3 / std::max(h, 1e-4);
+  const auto along = [a](double from) {
+    return gaussianCumulative(a * (from + 1)) - gaussianCumulative(a * from);
+  };
+  return along(i - x) * along(j - y);
 }
 
 /// The share of a spline disc's light in pixel (i, j), see SplineWeights.

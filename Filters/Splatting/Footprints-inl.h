@@ -33,19 +33,19 @@ struct Box
   HWY_INLINE bool clip(const Splat& splat, float h)
   {
     // By scalars: a vector gathered from single numbers would wait for all stores before it.
-    const int x1 = inTile(splat.column() + 1, splat.x + h);
-    const int y1 = inTile(splat.row() + 1, splat.y + h);
-    this->x0 = inTile(splat.column(), splat.x - h);
-    this->y0 = inTile(splat.row(), splat.y - h);
+    const int column = splat.column(), row = splat.row();
+    const int x1 = inTile(column + 1, splat.x + h);
+    const int y1 = inTile(row + 1, splat.y + h);
+    this->x0 = inTile(column, splat.x - h);
+    this->y0 = inTile(row, splat.y - h);
     this->columns = x1 - this->x0;
     this->rows = y1 - this->y0;
     return this->columns > 0 && this->rows > 0;
   }
 };
 
-/// exp(-b^2/sigma^2), sigma = h/3, in the pixels that touch the disc b < h: in each the pixel's
-/// mean, which is a product of a function of its column and one of its row (GaussianFootprint has
-/// the share that this leaves out, which a splat's light already makes up for).
+/// The Gaussian kernel's means over the pixels, see gaussianCumulative(): a product of a function
+/// of the pixel's column and one of its row.
 class Gaussian
 {
 public:
@@ -55,72 +55,75 @@ public:
   /// False if the splat misses the tile.
   HWY_INLINE bool prepare(const Splat& splat)
   {
-    const float h = std::max(splat.h, 1e-4f);
+    const float h = std::max(splat.h, 1e-4F);
     if (!this->box.clip(splat, h))
     {
       return false;
     }
-    this->h2 = h * h;
     const float a = 3 / h;
     this->axis(a, static_cast<float>(this->box.x0 - splat.column()) - splat.x, this->box.columns,
-      this->column, this->columnGap);
-    this->axis(a, static_cast<float>(this->box.y0 - splat.row()) - splat.y, this->box.rows,
-      this->row, this->rowGap);
-    // The pixel in the middle has the most of all: no more than all, nor than the peak.
-    this->most = std::min(1.0f, 0.3184f * a * a);
+      this->column);
+    this->axis(
+      a, static_cast<float>(this->box.y0 - splat.row()) - splat.y, this->box.rows, this->row);
+    this->most = mostOfAPixelAt(a);
     return true;
   }
   float mostOfAPixel() const { return this->most; }
 
-  struct Row
-  {
-    V share, limit;
-  };
-  HWY_INLINE Row rowAt(int y) const
-  {
-    return { hn::Set(tag, this->row[y]), hn::Set(tag, this->h2 - this->rowGap[y]) };
-  }
+  /// The pixel in the middle has the most of all: no more than all, nor than the peak.
+  static float mostOfAPixelAt(float a) { return std::min(1.0F, 0.3187F * a * a); }
+
+  HWY_INLINE V rowAt(int y) const { return hn::Set(tag, this->row[y]); }
   /// The weights of the lanes that begin at column x of row y of the box.
-  HWY_INLINE V weights(const Row& at, int, int x) const
+  HWY_INLINE V weights(V at, int, int x) const
   {
-    const V share = hn::Mul(at.share, hn::LoadU(tag, this->column + x));
-    return hn::IfThenElseZero(hn::Lt(hn::LoadU(tag, this->columnGap + x), at.limit), share);
+    return hn::Mul(at, hn::LoadU(tag, this->column + x));
   }
 
 private:
-  /// Above this, 1/1.7 pixels, differences of erf are used; below, where they would lose digits,
-  /// the series. They agree to 5e-7 of the centre there.
+  /// Above this, 1/1.7 pixels, differences of the cumulative share are used; below, where they
+  /// would lose digits, the series. They agree to 5e-7 of the centre there.
   static constexpr float narrowest = 0.6F;
+  static constexpr float atEnd = 1.2340980e-4F; ///< e^-9
+  static constexpr float norm = 0.56443785F;    ///< 1 / integral of the kernel
 
-  /// The means of a/sqrt(pi) exp(-(a x)^2) over the pixels of an axis, the first of which begins at
-  /// `start` from the centre, and their squared distance to it.
-  HWY_INLINE void axis(float a, float start, int pixels, float* share, float* gap2) const
+  /// The shares of the pixels of an axis, the first of which begins at `start` from the centre.
+  HWY_INLINE void axis(float a, float start, int pixels, float* share) const
   {
     const int N = lanes();
     const V scale = hn::Set(tag, a);
     const V first = hn::Add(hn::Iota(tag, 0), hn::Set(tag, start));
-    const V half = hn::Set(tag, 0.5f);
     if (a <= narrowest)
     {
+      const V half = hn::Set(tag, 0.5F);
       for (int i = 0; i < pixels; i += N)
       {
         const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
         hn::StoreU(wideMean(hn::Add(d, half), a), tag, share + i);
-        hn::StoreU(squaredGap(tag, d), tag, gap2 + i);
+      }
+      // The pixels that the kernel ends in.
+      if (a * start < -3)
+      {
+        share[0] = endOf(3 + a * (start + 1));
+      }
+      if (a * (start + static_cast<float>(pixels)) > 3)
+      {
+        share[pixels - 1] = endOf(3 - a * (start + static_cast<float>(pixels - 1)));
       }
       return;
     }
-    V cumulative = erf(tag, hn::Mul(scale, first));
+    V before = cumulative(tag, hn::Mul(scale, first));
     for (int i = 0; i < pixels; i += N)
     {
       const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
-      // The last edge of so many pixels is among the lanes, or begins the next ones.
+      // The last edge of so many pixels is among the lanes, or begins the next ones; nothing of
+      // the kernel is in lanes beyond them that lie in the tile.
       const V next = pixels - i < N
-        ? cumulative
-        : erf(tag, hn::MulAdd(scale, hn::Set(tag, static_cast<float>(N)), hn::Mul(scale, d)));
-      hn::StoreU(hn::Mul(half, hn::Sub(following(cumulative, next), cumulative)), tag, share + i);
-      hn::StoreU(squaredGap(tag, d), tag, gap2 + i);
-      cumulative = next;
+        ? hn::Set(tag, 0.5F)
+        : cumulative(
+            tag, hn::MulAdd(scale, hn::Set(tag, static_cast<float>(N)), hn::Mul(scale, d)));
+      hn::StoreU(hn::Sub(following(before, next), before), tag, share + i);
+      before = next;
     }
   }
 
@@ -137,7 +140,7 @@ private:
   }
 
   /// exp(-a^2 (x+u)^2) in powers of u, by Hermite's polynomials, averaged over the pixel |u| < 1/2:
-  /// with z = (a x)^2, b = a^2 it is a/sqrt(pi) e^-z times
+  /// with z = (a x)^2, b = a^2 it is e^-z times
   ///   1 + b (z - 1/2)/6 + b^2 (z^2 - 3z + 3/4)/120 + b^3 (z^3 - 15/2 z^2 + 45/4 z - 15/8)/5040.
   static HWY_INLINE V wideMean(V x, float a)
   {
@@ -150,15 +153,25 @@ private:
       hn::MulAdd(hn::MulAdd(hn::Sub(z, number(7.5F)), z, number(11.25F)), z, number(-1.875F));
     const V sum = hn::MulAdd(sixth, number(b * b * b / 5040),
       hn::MulAdd(fourth, number(b * b / 120), hn::MulAdd(second, number(b / 6), number(1))));
-    return hn::Mul(hn::Mul(number(a * 0.564189584F), hn::Exp(tag, hn::Neg(z))), sum);
+    const V mean = hn::MulSub(hn::Exp(tag, hn::Neg(z)), sum, number(atEnd));
+    return hn::Mul(number(a * norm), hn::Max(mean, hn::Zero(tag)));
   }
 
-  float h2;
+  /// The share of the last e before the end, in s: the integral of e^-9 (exp(6 s - s^2) - 1), whose
+  /// terms are Hermite's numbers at 3.
+  static float endOf(float e)
+  {
+    float sum = 0.0999F;
+    for (const float c : { 0.9679F, 2.8048F, 5.3F, 7.3F, 7.5F, 5.6666667F, 3.0F })
+    {
+      sum = sum * e + c;
+    }
+    return norm * atEnd * e * e * sum;
+  }
+
   float most;
   HWY_ALIGN float column[tileStride];
-  HWY_ALIGN float columnGap[tileStride];
   HWY_ALIGN float row[tileStride];
-  HWY_ALIGN float rowGap[tileStride];
 };
 
 /// The projected cubic spline, see SplineWeights.

@@ -7,7 +7,7 @@
 #define galaxy_LaneMath_inl_h
 #endif
 
-#include "Filters/Splatting/ErfPolynomial.h"
+#include "Filters/Splatting/GaussianKernel.h"
 
 #include <hwy/highway.h>
 
@@ -34,17 +34,18 @@ HWY_INLINE int lanes()
   return lanes(tag);
 }
 
-/// erf(u), 2e-7: the polynomial's even and odd terms apart, so that neither waits for the other.
+/// gaussianCumulative(), 2e-7: the polynomial's even and odd terms apart, so that neither waits for
+/// the other.
 template <class D>
-HWY_INLINE hn::Vec<D> erf(D d, hn::Vec<D> u)
+HWY_INLINE hn::Vec<D> cumulative(D d, hn::Vec<D> u)
 {
-  constexpr float end = ErfPolynomial::end;
+  constexpr float end = GaussianPolynomial::end;
   const auto v = hn::Max(hn::Min(u, hn::Set(d, end)), hn::Set(d, -end));
   const auto s = hn::MulSub(hn::Mul(v, v), hn::Set(d, 2 / (end * end)), hn::Set(d, 1.0F));
   const auto s2 = hn::Mul(s, s);
-  constexpr int last = ErfPolynomial::degree;
+  constexpr int last = GaussianPolynomial::degree;
   static_assert(last % 2 == 1, "as many even terms as odd ones");
-  const float* c = erfPolynomial.coefficients;
+  const float* c = gaussianPolynomial.coefficients;
   auto even = hn::Set(d, c[last - 1]);
   auto odd = hn::Set(d, c[last]);
   for (int k = last - 3; k >= 0; k -= 2)
@@ -81,15 +82,6 @@ HWY_INLINE void phiOfAny(D d, hn::Vec<D> t, hn::Vec<D>& phi, hn::Vec<D>& decay)
   const auto isThin = hn::Lt(t, hn::Set(d, 0.5F));
   phi = hn::IfThenElse(isThin, sum, hn::Div(hn::Sub(one, thick), t));
   decay = hn::IfThenElse(isThin, hn::NegMulAdd(t, sum, one), thick);
-}
-
-/// The squared distance along an axis to a pixel that begins at d.
-template <class D>
-HWY_INLINE hn::Vec<D> squaredGap(D tag, hn::Vec<D> d)
-{
-  const auto half = hn::Set(tag, 0.5F);
-  const auto gap = hn::Max(hn::Sub(hn::Abs(hn::Add(d, half)), half), hn::Zero(tag));
-  return hn::Mul(gap, gap);
 }
 } // namespace HWY_NAMESPACE
 } // namespace galaxy

@@ -63,13 +63,14 @@ struct Slices
 class TileSlicer
 {
 public:
-  TileSlicer(const Camera& camera, const RenderOptions& options, int left, int bottom)
+  TileSlicer(const Camera& camera, const RenderOptions& options, const TileGrid& grid, int tile)
     : camera(camera)
     , options(options)
-    , left(left)
-    , bottom(bottom)
-    , columns(std::min(tileSide, camera.width - left))
-    , rows(std::min(tileSide, camera.height - bottom))
+    , left(grid.leftOf(tile))
+    , bottom(grid.bottomOf(tile))
+    , box(grid.pixelsOf(tile))
+    , columns(box.x1 - box.x0)
+    , rows(box.y1 - box.y0)
   {
   }
 
@@ -92,9 +93,9 @@ public:
 
   void march(RenderedImage& image) const
   {
-    for (int y = 0; y < this->rows; ++y)
+    for (int y = this->box.y0; y < this->box.y1; ++y)
     {
-      for (int x = 0; x < this->columns; ++x)
+      for (int x = this->box.x0; x < this->box.x1; ++x)
       {
         const std::size_t pixel =
           std::size_t(this->bottom + y) * this->camera.width + this->left + x;
@@ -172,7 +173,8 @@ private:
 
   double* sumsAt(int x, int y, int s)
   {
-    return &this->sums[6 * ((std::size_t(y) * this->columns + x) * this->slices.count() + s)];
+    const std::size_t pixel = std::size_t(y - this->box.y0) * this->columns + (x - this->box.x0);
+    return &this->sums[6 * (pixel * this->slices.count() + s)];
   }
   const double* sumsAt(int x, int y, int s) const
   {
@@ -182,12 +184,13 @@ private:
   void spread(const Ball& ball)
   {
     const double h = std::max(ball.h, 1e-4);
-    const int x0 = static_cast<int>(std::clamp(std::floor(ball.x - h), 0.0, double(this->columns)));
-    const int y0 = static_cast<int>(std::clamp(std::floor(ball.y - h), 0.0, double(this->rows)));
-    const int x1 =
-      static_cast<int>(std::clamp(std::floor(ball.x + h) + 1, 0.0, double(this->columns)));
-    const int y1 =
-      static_cast<int>(std::clamp(std::floor(ball.y + h) + 1, 0.0, double(this->rows)));
+    const auto within = [](double pixel, int low, int high) {
+      return static_cast<int>(std::clamp(std::floor(pixel), double(low), double(high)));
+    };
+    const int x0 = within(ball.x - h, this->box.x0, this->box.x1);
+    const int y0 = within(ball.y - h, this->box.y0, this->box.y1);
+    const int x1 = within(ball.x + h + 1, this->box.x0, this->box.x1);
+    const int y1 = within(ball.y + h + 1, this->box.y0, this->box.y1);
     for (int y = y0; y < y1; ++y)
     {
       for (int x = x0; x < x1; ++x)
@@ -241,7 +244,9 @@ private:
 
   const Camera& camera;
   const RenderOptions& options;
-  int left, bottom, columns, rows;
+  int left, bottom; ///< the tile's corner
+  PixelBox box;     ///< of the tile that lie in the picture
+  int columns, rows;
   std::vector<Ball> balls;
   Slices slices;
   std::vector<double> sums; ///< by pixel and slice: emission and optical depth of three channels
@@ -254,15 +259,15 @@ RenderedImage renderOverlapping(
   RenderedImage image = emptyPicture(camera);
   const double start = omp_get_wtime();
   const Projection projection(particles, camera);
-  const TileDealer dealer(projection, camera, options.kernel);
+  RenderMemory own;
+  const TileDealer dealer(projection, camera, options.memory ? *options.memory : own);
   const TileGrid& grid = dealer.grid();
   ProjectionCounts counts = dealer.missing();
-  TileBand band;
   std::atomic<bool> aborted{ options.progress && !options.progress(0) };
   std::atomic<std::size_t> coarse{ 0 };
   for (int k = 0; k < dealer.bands() && !aborted; ++k)
   {
-    dealer.deal(k, band);
+    const TileBand& band = dealer.deal(k);
     counts += band.counts;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int tile = band.firstTile; tile < band.lastTile; ++tile)
@@ -271,8 +276,7 @@ RenderedImage renderOverlapping(
       const std::size_t count = band.first[tile - band.firstTile + 1] - first;
       if (count > 0 && !aborted)
       {
-        TileSlicer slicer(
-          camera, options, tile % grid.columns * tileSide, tile / grid.columns * tileSide);
+        TileSlicer slicer(camera, options, grid, tile);
         slicer.draw(band.splats.data() + first, count, projection);
         slicer.march(image);
         coarse += slicer.isCoarse();

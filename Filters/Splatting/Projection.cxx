@@ -1,6 +1,5 @@
 #include "Filters/Splatting/Projection.h"
 
-#include "Filters/Splatting/GaussianGain.h"
 #include "Filters/Splatting/SplatBlock.h"
 
 #include <algorithm>
@@ -14,11 +13,8 @@ namespace
 /// Finite and not negative; false for NaN.
 bool isAmount(double x)
 {
-  return x >= 0 && x <= std::numeric_limits<float>::max();
+  return x >= 0 && x < 1e30;
 }
-
-/// Where pixels stop being counted in int.
-constexpr int farPixel = 1 << 30;
 
 int clampedFloor(double x, int low, int high)
 {
@@ -90,71 +86,34 @@ double Projection::radius(std::size_t i) const
   return this->particles.smoothingLength[i] * this->factors(i).size;
 }
 
-namespace
-{
-/// Sorts a particle's light into the block.
-inline void setLight(const ParticleLight& light, std::size_t i, int k, float perArea, LitBlock& lit)
-{
-  const bool emits = light.emits(), absorbs = light.absorbs();
-  const float* shown = absorbs ? light.K : light.L;
-  for (int c = 0; c < 3; ++c)
-  {
-    lit.light[c][k] = shown[c] * perArea;
-  }
-  lit.kind[k] = !absorbs ? SplatKind::Emits : emits ? SplatKind::Slab : SplatKind::Absorbs;
-  lit.fate[k] = !absorbs ? LitBlock::Drawn : light.grey() ? LitBlock::Grey : LitBlock::Colored;
-  // Luminosity per pixel area must stay finite in float.
-  const bool isShown = (emits || absorbs) && light.most() * perArea < 1e37F;
-  const bool isValid = light.valid();
-  if (!isValid || !isShown)
-  {
-    lit.fate[k] = isValid ? LitBlock::Culled : LitBlock::Invalid;
-    lit.kind[k] = SplatKind::Emits;
-    lit.light[0][k] = lit.light[1][k] = lit.light[2][k] = 0;
-  }
-  else if (emits && absorbs)
-  {
-    float name[3];
-    SlabName{ static_cast<std::uint32_t>(i), perArea }.write(name);
-    for (int c = 0; c < 3; ++c)
-    {
-      lit.light[c][k] = name[c];
-    }
-  }
-}
-} // namespace
-
-void Projection::light(std::size_t i, int k, float perArea, LitBlock& lit) const
-{
-  setLight(this->light(i), i, k, perArea, lit);
-}
-
-void Projection::light(std::size_t first, const std::uint16_t* which, int count,
-  const float* perArea, LitBlock& lit) const
+void Projection::light(
+  std::size_t first, const std::uint32_t* which, int count, BlockLights& lights) const
 {
   const ParticleView& p = this->particles;
-  const bool isPlain = p.emission && p.absorption && this->emissionStep == 1 &&
-    this->absorptionStep == 1 && this->table.size() == 1;
-  if (!isPlain)
-  {
-    for (int k = 0; k < count; ++k)
-    {
-      setLight(this->light(first + which[k]), first + which[k], k, perArea[k], lit);
-    }
-    return;
-  }
   // The most common arrays, with nothing to look up.
+  const bool isPlain = p.emission && p.absorption && this->table.size() == 1;
   const float brightness = this->table[0].brightness;
   for (int k = 0; k < count; ++k)
   {
     const std::size_t i = first + which[k];
-    ParticleLight light;
+    lights.particle[k] = static_cast<std::uint32_t>(i);
+    if (isPlain)
+    {
+      const float* L = p.emission + this->emissionStride * i;
+      const float* K = p.absorption + this->absorptionStride * i;
+      for (int c = 0; c < 3; ++c)
+      {
+        lights.L[c][k] = brightness * L[this->emissionStep * c];
+        lights.K[c][k] = brightness * K[this->absorptionStep * c];
+      }
+      continue;
+    }
+    const ParticleLight light = this->light(i);
     for (int c = 0; c < 3; ++c)
     {
-      light.L[c] = brightness * p.emission[3 * i + c];
-      light.K[c] = brightness * p.absorption[3 * i + c];
+      lights.L[c][k] = light.L[c];
+      lights.K[c][k] = light.K[c];
     }
-    setLight(light, i, k, perArea[k], lit);
   }
 }
 
@@ -209,18 +168,5 @@ PixelBox Projection::classify(std::size_t i, ProjectionCounts& counts) const
   counts.absorbers += absorbs;
   counts.colored += absorbs && !light.grey();
   return box;
-}
-
-void Projection::place(std::size_t i, Kernel kernel, SplatBlock& block, int k) const
-{
-  const Place p = this->placeOf(i);
-  block.column[k] = clampedFloor(p.x, -farPixel, farPixel);
-  block.row[k] = clampedFloor(p.y, -farPixel, farPixel);
-  block.x[k] = static_cast<float>(p.x - block.column[k]);
-  block.y[k] = static_cast<float>(p.y - block.row[k]);
-  block.h[k] = static_cast<float>(std::min(p.h, 1e15));
-  block.depth[k] = static_cast<float>(this->camera.parallel ? p.seen.z : length(p.seen));
-  const double gain = kernel == Kernel::Gaussian ? gaussianGain(p.h) : 1;
-  block.perArea[k] = static_cast<float>(gain * p.ratio * p.ratio);
 }
 } // namespace galaxy

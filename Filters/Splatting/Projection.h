@@ -3,13 +3,14 @@
 
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Splat.h"
+#include "Filters/Splatting/TileGrid.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace galaxy
 {
-struct SplatBlock;
+struct BlockLights;
 
 /// What a particle emits and absorbs, per channel.
 struct ParticleLight
@@ -41,13 +42,6 @@ struct ParticleLight
 /// So many consecutive particles are projected together.
 constexpr int particlesAtOnce = 1024;
 
-/// Pixels x0 <= x < x1, y0 <= y < y1.
-struct PixelBox
-{
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool empty() const { return this->x0 >= this->x1 || this->y0 >= this->y1; }
-};
-
 /// What happened to how many particles.
 struct ProjectionCounts
 {
@@ -58,35 +52,6 @@ struct ProjectionCounts
   std::size_t absorbers = 0;
   std::size_t colored = 0; ///< absorbers whose channels differ
   ProjectionCounts& operator+=(const ProjectionCounts& other);
-};
-
-/// The light of the particles of a block, by kind, over the pixel's area.
-struct LitBlock
-{
-  static constexpr int most = particlesAtOnce;
-  enum Fate : std::uint8_t
-  {
-    Drawn,
-    Grey,    ///< drawn, an absorber whose channels are equal
-    Colored, ///< drawn, an absorber whose channels differ
-    Culled,
-    Invalid,
-  };
-
-  float light[3][most]; ///< Splat::light
-  SplatKind kind[most];
-  Fate fate[most];
-
-  void count(int k, ProjectionCounts& counts) const
-  {
-    const Fate f = this->fate[k];
-    counts.drawn += f <= Colored;
-    counts.culled += f == Culled;
-    counts.invalid += f == Invalid;
-    counts.emitters += f <= Colored && this->kind[k] != SplatKind::Absorbs;
-    counts.absorbers += f == Grey || f == Colored;
-    counts.colored += f == Colored;
-  }
 };
 
 /// Particles seen through a camera.
@@ -100,9 +65,6 @@ public:
   /// The pixels that particle i may touch (none unless it is to be drawn), and into which of the
   /// counts it falls.
   PixelBox classify(std::size_t i, ProjectionCounts& counts) const;
-
-  /// The place of particle i, as projectBlock gives it.
-  void place(std::size_t i, Kernel kernel, SplatBlock& block, int k) const;
 
   const float* position(std::size_t i) const { return this->particles.position + 3 * i; }
 
@@ -130,9 +92,9 @@ public:
     return light;
   }
 
-  /// The same, times the inverse areas of the pixels there, of particles first + which[k].
-  void light(std::size_t first, const std::uint16_t* which, int count, const float* perArea,
-    LitBlock& lit) const;
+  /// The same of the particles first + which[k].
+  void light(std::size_t first, const std::uint32_t* which, int count, BlockLights& lights) const;
+
   /// Of a splat of kind Slab.
   SlabLight slab(const Splat& splat) const
   {
@@ -161,9 +123,6 @@ public:
     }
     return this->slab(splat);
   }
-  /// Of one particle, as the block's k-th.
-  void light(std::size_t i, int k, float perArea, LitBlock& lit) const;
-
   /// The smoothing length drawn, kpc.
   double radius(std::size_t i) const;
 

@@ -1,5 +1,4 @@
 #include "Filters/Splatting/FootprintShare.h"
-#include "Filters/Splatting/GaussianGain.h"
 #include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/Picture.h"
 
@@ -19,8 +18,8 @@ struct Disc
 };
 
 /// The particle's place straight from the definition of the camera; false behind the eye.
-bool project(const Vec3& position, double radius, const ParticleLight& light, const Camera& camera,
-  Kernel kernel, Disc& disc)
+bool project(
+  const Vec3& position, double radius, const ParticleLight& light, const Camera& camera, Disc& disc)
 {
   const Vec3 d = position - camera.eye;
   const double along = dot(d, camera.forward);
@@ -33,8 +32,7 @@ bool project(const Vec3& position, double radius, const ParticleLight& light, co
   disc.y = camera.centerY + pixelsPerKpc * dot(d, camera.up);
   disc.h = pixelsPerKpc * radius;
   disc.depth = camera.parallel ? along : length(d);
-  const double gain = kernel == Kernel::Gaussian ? gaussianGain(disc.h) : 1;
-  const double perArea = gain * pixelsPerKpc * pixelsPerKpc;
+  const double perArea = pixelsPerKpc * pixelsPerKpc;
   for (int c = 0; c < 3; ++c)
   {
     disc.e[c] = light.L[c] * perArea;
@@ -77,7 +75,7 @@ void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& option
 }
 
 std::vector<Disc> visibleDiscs(
-  const ParticleView& particles, const Camera& camera, Kernel kernel, ProjectionCounts& counts)
+  const ParticleView& particles, const Camera& camera, ProjectionCounts& counts)
 {
   const Projection projection(particles, camera);
   std::vector<Disc> discs;
@@ -89,8 +87,7 @@ std::vector<Disc> visibleDiscs(
     }
     const float* p = particles.position + 3 * i;
     Disc disc;
-    if (project(
-          { p[0], p[1], p[2] }, projection.radius(i), projection.light(i), camera, kernel, disc))
+    if (project({ p[0], p[1], p[2] }, projection.radius(i), projection.light(i), camera, disc))
     {
       discs.push_back(disc);
     }
@@ -107,7 +104,7 @@ RenderedImage renderReference(
   ProjectionCounts counts;
   const std::size_t values = 3 * std::size_t(camera.width) * camera.height;
   Sums sums{ std::vector<double>(values), std::vector<double>(values) };
-  for (const Disc& disc : visibleDiscs(particles, camera, options.kernel, counts))
+  for (const Disc& disc : visibleDiscs(particles, camera, counts))
   {
     addDisc(disc, camera, options, sums);
   }

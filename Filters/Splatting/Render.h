@@ -47,6 +47,8 @@ enum class Accuracy
   Sorted,      ///< one slab a particle, in strict order of the centres
 };
 
+struct RenderMemory;
+
 /// How to draw; none of it changes what the particles are.
 struct RenderOptions
 {
@@ -61,6 +63,9 @@ struct RenderOptions
   /// Per pixel, the distance (perspective) or depth (parallel) in kpc of opaque geometry; what
   /// lies behind it is not seen. Null: nothing opaque.
   const float* opaqueDepth = nullptr;
+  /// Kept from picture to picture, it saves what asking the system for memory costs. Null: asked
+  /// for anew.
+  RenderMemory* memory = nullptr;
   /// Called from the calling thread with the fraction done; returning false aborts the rendering.
   std::function<bool(double)> progress;
 };

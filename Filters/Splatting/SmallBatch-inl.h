@@ -26,24 +26,14 @@ public:
   Box box;
   float most;
   const float* columns; ///< weights of columns: four of every splat, then four more
-  const float* gaps;    ///< squared distances, likewise
   const float* rows;    ///< weights of rows, a batch apart
-  const float* limits;  ///< of the columns' squared distances, likewise
 
   float mostOfAPixel() const { return this->most; }
 
-  struct Row
+  HWY_INLINE Vector rowAt(int y) const { return hn::Set(D(), this->rows[y * batch]); }
+  HWY_INLINE Vector weights(Vector at, int, int x) const
   {
-    Vector share, limit;
-  };
-  HWY_INLINE Row rowAt(int y) const
-  {
-    return { hn::Set(D(), this->rows[y * batch]), hn::Set(D(), this->limits[y * batch]) };
-  }
-  HWY_INLINE Vector weights(const Row& at, int, int x) const
-  {
-    const Vector share = hn::Mul(at.share, fours(this->columns, x));
-    return hn::IfThenElseZero(hn::Lt(fours(this->gaps, x), at.limit), share);
+    return hn::Mul(at, fours(this->columns, x));
   }
 
 private:
@@ -79,30 +69,25 @@ public:
                          int k) { return hn::BitCast(d, hn::GatherIndex(ints, words + k, steps)); };
     const auto where = hn::GatherIndex(ints, words, steps);
     const auto mask = hn::Set(ints, 0x7fff);
-    const auto middle = hn::Set(ints, 0x4000);
-    const auto column = hn::ConvertTo(d, hn::Sub(hn::And(where, mask), middle));
-    const auto row = hn::ConvertTo(d, hn::Sub(hn::And(hn::ShiftRight<15>(where), mask), middle));
+    const auto pixel = [&](hn::Vec<Ints> packed) {
+      return hn::ConvertTo(d, hn::Sub(hn::And(packed, mask), hn::Set(ints, 0x4000)));
+    };
     const auto h = hn::Max(field(3), hn::Set(d, 1e-4F));
     const auto a = hn::Div(hn::Set(d, 3.0F), h);
-    const auto h2 = hn::Mul(h, h);
     hn::Store(
-      hn::Min(hn::Mul(hn::Mul(a, a), hn::Set(d, 0.3184F)), hn::Set(d, 1.0F)), d, this->most);
-    const int columnsMade = this->axis(
-      column, field(1), h, a, this->x0, this->columns, [&](int k, Vector w, Vector gap2) {
-        this->wx[k] = w;
-        this->gx[k] = gap2;
-      });
+      hn::Min(hn::Mul(hn::Mul(a, a), hn::Set(d, 0.3187F)), hn::Set(d, 1.0F)), d, this->most);
+    const int columnsMade = this->axis(pixel(where), field(1), h, a, this->x0, this->columns,
+      [&](int k, Vector w) { this->wx[k] = w; });
     for (int k = columnsMade; k < SmallGaussian::mostPixels; ++k)
     {
       this->wx[k] = hn::Zero(d);
-      this->gx[k] = hn::Zero(d);
     }
-    this->interleave(this->wx, this->columnWeights);
-    this->interleave(this->gx, this->columnGaps);
-    this->axis(row, field(2), h, a, this->y0, this->rows, [&](int k, Vector w, Vector gap2) {
-      hn::Store(w, d, this->rowWeights[k]);
-      hn::Store(hn::Sub(h2, gap2), d, this->limits[k]);
-    });
+    hn::StoreInterleaved4(
+      this->wx[0], this->wx[1], this->wx[2], this->wx[3], d, this->columnWeights);
+    hn::StoreInterleaved4(
+      this->wx[4], this->wx[5], this->wx[6], this->wx[7], d, this->columnWeights + 4 * size);
+    this->axis(pixel(hn::ShiftRight<15>(where)), field(2), h, a, this->y0, this->rows,
+      [&](int k, Vector w) { hn::Store(w, d, this->rowWeights[k]); });
   }
 
   bool touches(int k) const { return this->columns[k] > 0 && this->rows[k] > 0; }
@@ -116,9 +101,7 @@ public:
     f.box = { this->x0[k], this->y0[k], this->columns[k], this->rows[k] };
     f.most = this->most[k];
     f.columns = this->columnWeights + 4 * k;
-    f.gaps = this->columnGaps + 4 * k;
     f.rows = &this->rowWeights[0][k];
-    f.limits = &this->limits[0][k];
     return f;
   }
 
@@ -149,29 +132,20 @@ private:
     const auto few = hn::IfThenElseZero(hn::Le(pixels, most), pixels);
     const int edges = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, few)));
     const auto start = hn::Sub(hn::Sub(begin, pixel), place);
-    auto before = erf(d, hn::Mul(a, start));
+    auto before = cumulative(d, hn::Mul(a, start));
     for (int k = 0; k < edges; ++k)
     {
       const auto edge = hn::Add(start, hn::Set(d, static_cast<float>(k)));
-      const auto after = erf(d, hn::Mul(a, hn::Add(edge, hn::Set(d, 1.0F))));
-      put(k, hn::Mul(hn::Set(d, 0.5F), hn::Sub(after, before)), squaredGap(d, edge));
+      const auto after = cumulative(d, hn::Mul(a, hn::Add(edge, hn::Set(d, 1.0F))));
+      put(k, hn::Sub(after, before));
       before = after;
     }
     return edges;
   }
 
-  HWY_INLINE void interleave(const Vector* pixels, float* to) const
-  {
-    const D d;
-    hn::StoreInterleaved4(pixels[0], pixels[1], pixels[2], pixels[3], d, to);
-    hn::StoreInterleaved4(pixels[4], pixels[5], pixels[6], pixels[7], d, to + 4 * size);
-  }
-
-  Vector wx[SmallGaussian::mostPixels], gx[SmallGaussian::mostPixels];
+  Vector wx[SmallGaussian::mostPixels];
   alignas(64) float columnWeights[SmallGaussian::mostPixels * size];
-  alignas(64) float columnGaps[SmallGaussian::mostPixels * size];
   alignas(64) float rowWeights[SmallGaussian::mostPixels][size];
-  alignas(64) float limits[SmallGaussian::mostPixels][size];
   alignas(64) float most[size];
   alignas(64) std::int32_t x0[size], y0[size], columns[size], rows[size];
 };

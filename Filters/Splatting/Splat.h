@@ -1,6 +1,7 @@
 #ifndef galaxy_Splat_h
 #define galaxy_Splat_h
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -26,17 +27,32 @@ struct Splat
 
   /// Where counting in pixels stops: a centre farther off has the rest in x and y.
   static constexpr int farPixel = 16000;
+  static constexpr int middle = 0x4000; ///< what pixels are counted from
+  static constexpr int rowBit = 15, kindBit = 30;
 
   /// The pixel, from -farPixel to farPixel from the tile's corner, and the kind. One number, since
   /// fields of bits would read memory in order to write it.
   static std::uint32_t pack(int column, int row, SplatKind kind)
   {
-    return static_cast<std::uint32_t>(column + 0x4000) |
-      static_cast<std::uint32_t>(row + 0x4000) << 15 | static_cast<std::uint32_t>(kind) << 30;
+    return static_cast<std::uint32_t>(column + middle) |
+      static_cast<std::uint32_t>(row + middle) << rowBit |
+      static_cast<std::uint32_t>(kind) << kindBit;
   }
-  int column() const { return static_cast<int>(this->where & 0x7fff) - 0x4000; }
-  int row() const { return static_cast<int>(this->where >> 15 & 0x7fff) - 0x4000; }
-  SplatKind kind() const { return static_cast<SplatKind>(this->where >> 30); }
+  int column() const { return static_cast<int>(this->where & 0x7fff) - middle; }
+  int row() const { return static_cast<int>(this->where >> rowBit & 0x7fff) - middle; }
+  SplatKind kind() const { return static_cast<SplatKind>(this->where >> kindBit); }
+
+  /// The same as a tile sees it whose corner is so many pixels right and up.
+  Splat from(int right, int up) const
+  {
+    Splat splat = *this;
+    const int column = std::max(this->column() - right, -farPixel);
+    const int row = std::max(this->row() - up, -farPixel);
+    splat.where = pack(column, row, this->kind());
+    splat.x += static_cast<float>(this->column() - right - column);
+    splat.y += static_cast<float>(this->row() - up - row);
+    return splat;
+  }
 };
 static_assert(sizeof(Splat) == 32, "two splats a cache line");
 

@@ -2,15 +2,13 @@
 
 #include "Filters/Splatting/TileSums.h"
 
-#include <algorithm>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Filters/Splatting/SplatBlock.cxx"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
-
-#include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace galaxy
@@ -26,6 +24,8 @@ using W = hn::Vec<Wide>;
 constexpr Wide wide;
 constexpr Half half;
 constexpr Ints ints;
+constexpr int tileBits = 5;
+static_assert(1 << tileBits == tileSide);
 
 HWY_INLINE W sumOfProducts(W a, double x, W b, double y, W c, double z)
 {
@@ -38,17 +38,19 @@ HWY_INLINE W clamped(W v, double low, double high)
   return hn::Min(hn::Max(v, hn::Set(wide, low)), hn::Set(wide, high));
 }
 
-/// The pixels from floor(x - h) to floor(x + h) that lie in the image.
+/// The pixels from floor(x - h) to floor(x + h) that lie in the image, which begins at `begin`.
 struct Range
 {
-  hn::Vec<Ints> first, end;
-  HWY_INLINE Range(W x, W h, int size)
+  hn::Vec<Ints> first, last;
+  HWY_INLINE Range(W x, W h, int begin, int size)
   {
-    const W low = hn::Floor(clamped(hn::Sub(x, h), 0, size));
-    const W high = hn::Floor(clamped(hn::Add(x, h), -1, size - 1));
+    const W low = hn::Floor(clamped(hn::Sub(x, h), begin, begin + size));
+    const W high = hn::Floor(clamped(hn::Add(x, h), begin - 1, begin + size - 1));
     this->first = hn::DemoteTo(ints, low);
-    this->end = hn::Add(hn::DemoteTo(ints, high), hn::Set(ints, 1));
+    this->last = hn::DemoteTo(ints, high);
   }
+  HWY_INLINE hn::Vec<Ints> firstTile() const { return hn::ShiftRight<tileBits>(this->first); }
+  HWY_INLINE hn::Vec<Ints> lastTile() const { return hn::ShiftRight<tileBits>(this->last); }
 };
 
 /// Particles seen through a camera.
@@ -56,10 +58,11 @@ struct Seen
 {
   W right, up, forward; ///< kpc from the eye
   W ratio;              ///< pixels per kpc
-  W x, y, h;            ///< pixels; h is negative, which touches nothing, of what is not shown
+  W x, y, h; ///< pixels from the grid's corner; h is negative, which touches nothing, of what is
+             ///< not shown
   hn::Mask<Wide> isSane;
 
-  HWY_INLINE Seen(const BlockPlaces& p, int k, const Camera& c)
+  HWY_INLINE Seen(const BlockPlaces& p, int k, const Camera& c, const TileGrid& grid)
   {
     const auto coordinate = [k](const float* from, double eye) {
       return hn::Sub(hn::PromoteTo(wide, hn::LoadU(half, from + k)), hn::Set(wide, eye));
@@ -78,94 +81,211 @@ struct Seen
     this->ratio = c.parallel
       ? scale
       : hn::Div(scale, hn::IfThenElse(isBefore, this->forward, hn::Set(wide, 1.0)));
-    this->x = hn::MulAdd(this->ratio, this->right, hn::Set(wide, c.centerX));
-    this->y = hn::MulAdd(this->ratio, this->up, hn::Set(wide, c.centerY));
+    this->x = hn::MulAdd(this->ratio, this->right, hn::Set(wide, c.centerX + grid.left));
+    this->y = hn::MulAdd(this->ratio, this->up, hn::Set(wide, c.centerY + grid.bottom));
     const auto isShown = c.parallel ? this->isSane : hn::And(this->isSane, isBefore);
     this->h = hn::IfThenElse(isShown, hn::Mul(this->ratio, r), hn::Set(wide, -1e300));
   }
 };
 
-/// The pixel of a coordinate and the place in it.
-HWY_INLINE void storePlace(W x, std::int32_t* pixel, float* part)
+/// The tiles that particles touch.
+HWY_INLINE void storeTiles(const Seen& seen, const TileGrid& grid, int k, BlockTiles& tiles)
 {
-  constexpr double far = 1 << 30;
-  const W whole = hn::Floor(clamped(x, -far, far));
-  hn::StoreU(hn::DemoteTo(ints, whole), ints, pixel);
-  hn::StoreU(hn::DemoteTo(half, hn::Sub(x, whole)), half, part);
-}
-
-/// gaussianGain(): 1 to the last bit below 1.6 pixels.
-HWY_INLINE hn::Vec<Half> gain(hn::Vec<Half> h)
-{
-  const auto one = hn::Set(half, 1.0F);
-  if (hn::AllTrue(half, hn::Lt(h, hn::Set(half, 1.6F))))
-  {
-    return one;
-  }
-  const auto width = hn::Max(h, hn::Set(half, 1e-4F));
-  const auto edge = hn::Add(hn::Set(half, 3.0F), hn::Div(hn::Set(half, 1.909859317F), width));
-  return hn::Div(one, hn::Sub(one, hn::Exp(half, hn::Neg(hn::Mul(edge, edge)))));
-}
-
-void projectVectors(
-  const BlockPlaces& places, int count, const Camera& c, bool isGaussian, SplatBlock& block)
-{
-  for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
-  {
-    const Seen seen(places, k, c);
-    const Range columns(seen.x, seen.h, c.width), rows(seen.y, seen.h, c.height);
-    hn::StoreU(columns.first, ints, block.x0 + k);
-    hn::StoreU(columns.end, ints, block.x1 + k);
-    hn::StoreU(rows.first, ints, block.y0 + k);
-    hn::StoreU(rows.end, ints, block.y1 + k);
-    storePlace(seen.x, block.column + k, block.x + k);
-    storePlace(seen.y, block.row + k, block.y + k);
-    const auto h = hn::DemoteTo(half, hn::Min(seen.h, hn::Set(wide, 1e15)));
-    hn::StoreU(h, half, block.h + k);
-    const W distance = c.parallel
-      ? seen.forward
-      : hn::Sqrt(hn::MulAdd(seen.right, seen.right,
-          hn::MulAdd(seen.up, seen.up, hn::Mul(seen.forward, seen.forward))));
-    hn::StoreU(hn::DemoteTo(half, distance), half, block.depth + k);
-    const auto perArea = hn::DemoteTo(half, hn::Mul(seen.ratio, seen.ratio));
-    hn::StoreU(isGaussian ? hn::Mul(perArea, gain(h)) : perArea, half, block.perArea + k);
-  }
+  const Range columns(seen.x, seen.h, grid.left, grid.width);
+  const Range rows(seen.y, seen.h, grid.bottom, grid.height);
+  const auto column0 = columns.firstTile(), row0 = rows.firstTile();
+  const auto column1 = columns.lastTile(), row1 = rows.lastTile();
+  hn::StoreU(column0, ints, tiles.column0 + k);
+  hn::StoreU(row0, ints, tiles.row0 + k);
+  hn::StoreU(column1, ints, tiles.column1 + k);
+  hn::StoreU(row1, ints, tiles.row1 + k);
+  const auto code = [](std::uint32_t c) { return hn::Set(ints, static_cast<std::int32_t>(c)); };
+  const auto isSome =
+    hn::Not(hn::Or(hn::Lt(columns.last, columns.first), hn::Lt(rows.last, rows.first)));
+  const auto isOne = hn::And(hn::Eq(column0, column1), hn::Eq(row0, row1));
+  const auto tile = hn::Add(hn::Mul(row0, hn::Set(ints, grid.columns)), column0);
+  const auto several = hn::Or(code(TileHome::several), hn::Or(hn::ShiftLeft<15>(row1), row0));
+  const auto home =
+    hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, several), code(TileHome::nowhere));
+  hn::StoreU(home, ints, reinterpret_cast<std::int32_t*>(tiles.home) + k);
 }
 
 void locateVectors(
-  const BlockPlaces& places, int count, const Camera& c, int gridColumns, BlockTiles& tiles)
+  const BlockPlaces& places, int count, const Camera& c, const TileGrid& grid, BlockTiles& tiles)
 {
-  static_assert(tileSide == 32, "five bits");
-  const auto one = hn::Set(ints, 1);
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
   {
-    const Seen seen(places, k, c);
-    const Range columns(seen.x, seen.h, c.width), rows(seen.y, seen.h, c.height);
-    const auto column0 = hn::ShiftRight<5>(columns.first), row0 = hn::ShiftRight<5>(rows.first);
-    const auto column1 = hn::ShiftRight<5>(hn::Sub(columns.end, one));
-    const auto row1 = hn::ShiftRight<5>(hn::Sub(rows.end, one));
-    hn::StoreU(column0, ints, tiles.column0 + k);
-    hn::StoreU(row0, ints, tiles.row0 + k);
-    hn::StoreU(column1, ints, tiles.column1 + k);
-    hn::StoreU(row1, ints, tiles.row1 + k);
-    const auto tile = hn::Add(hn::Mul(row0, hn::Set(ints, gridColumns)), column0);
-    const auto isOne = hn::And(hn::Eq(column0, column1), hn::Eq(row0, row1));
-    const auto isSome = hn::And(hn::Gt(columns.end, columns.first), hn::Gt(rows.end, rows.first));
-    const auto code = [](std::uint32_t c) { return hn::Set(ints, static_cast<std::int32_t>(c)); };
-    const auto several = hn::Or(code(TileHome::several), hn::Or(hn::ShiftLeft<15>(row1), row0));
-    const auto home =
-      hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, several), code(TileHome::nowhere));
-    hn::StoreU(home, ints, reinterpret_cast<std::int32_t*>(tiles.home) + k);
+    const Seen seen(places, k, c, grid);
+    storeTiles(seen, grid, k, tiles);
     if (!hn::AllTrue(wide, seen.isSane))
     {
       HWY_ALIGN double odd[8];
       hn::StoreU(hn::IfThenElse(seen.isSane, hn::Zero(wide), hn::Set(wide, 1.0)), wide, odd);
       for (std::size_t lane = 0; lane < hn::Lanes(wide); ++lane)
       {
-        tiles.home[k + lane] = odd[lane] > 0 ? TileHome::odd : tiles.home[k + lane];
+        tiles.home[k + lane] = odd[lane] > 0 ? TileHome::invalid : tiles.home[k + lane];
       }
     }
   }
+}
+
+/// The pixel of a coordinate from the corner of its first tile, and the place in that pixel.
+HWY_INLINE hn::Vec<Ints> storePlace(W x, hn::Vec<Ints> tile, float* part)
+{
+  const W from = hn::Sub(x, hn::PromoteTo(wide, hn::ShiftLeft<tileBits>(tile)));
+  const W whole = hn::Floor(clamped(from, -Splat::farPixel, Splat::farPixel));
+  hn::StoreU(hn::DemoteTo(half, hn::Sub(from, whole)), half, part);
+  return hn::Add(hn::DemoteTo(ints, whole), hn::Set(ints, Splat::middle));
+}
+
+void projectPlaces(
+  const BlockPlaces& places, int count, const Camera& c, const TileGrid& grid, SplatBlock& block)
+{
+  for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
+  {
+    const Seen seen(places, k, c, grid);
+    storeTiles(seen, grid, k, block.tiles);
+    const auto column = storePlace(seen.x, hn::LoadU(ints, block.tiles.column0 + k), block.x + k);
+    const auto row = storePlace(seen.y, hn::LoadU(ints, block.tiles.row0 + k), block.y + k);
+    hn::StoreU(hn::Or(column, hn::ShiftLeft<Splat::rowBit>(row)), ints,
+      reinterpret_cast<std::int32_t*>(block.where + k));
+    hn::StoreU(hn::DemoteTo(half, hn::Min(seen.h, hn::Set(wide, 1e15))), half, block.h + k);
+    const W distance = c.parallel
+      ? seen.forward
+      : hn::Sqrt(hn::MulAdd(seen.right, seen.right,
+          hn::MulAdd(seen.up, seen.up, hn::Mul(seen.forward, seen.forward))));
+    hn::StoreU(hn::DemoteTo(half, distance), half, block.depth + k);
+    hn::StoreU(hn::DemoteTo(half, hn::Mul(seen.ratio, seen.ratio)), half, block.perArea + k);
+  }
+}
+
+using Floats = hn::CappedTag<float, 8>;
+using Words = hn::RebindToSigned<Floats>;
+using F = hn::Vec<Floats>;
+using I = hn::Vec<Words>;
+constexpr Floats floats;
+constexpr Words words;
+
+HWY_INLINE F mostOf(F a, F b, F c)
+{
+  return hn::Max(a, hn::Max(b, c));
+}
+
+/// All bits where a condition on floats holds.
+HWY_INLINE I flags(hn::Mask<Floats> mask)
+{
+  return hn::BitCast(words, hn::VecFromMask(floats, mask));
+}
+
+HWY_INLINE I choose(I condition, I yes, I no)
+{
+  return hn::Or(hn::And(condition, yes), hn::AndNot(condition, no));
+}
+
+HWY_INLINE I wordOf(Fate fate)
+{
+  return hn::Set(words, static_cast<std::int32_t>(fate));
+}
+
+/// Puts the light to the places.
+void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
+{
+  const F zero = hn::Zero(floats), largest = hn::Set(floats, std::numeric_limits<float>::max());
+  for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(floats)))
+  {
+    F L[3], K[3];
+    auto isValid = hn::Eq(zero, zero);
+    for (int c = 0; c < 3; ++c)
+    {
+      L[c] = hn::LoadU(floats, lights.L[c] + k);
+      K[c] = hn::LoadU(floats, lights.K[c] + k);
+      // NaN fails every comparison.
+      isValid = hn::And(isValid, hn::And(hn::Ge(L[c], zero), hn::Le(L[c], largest)));
+      isValid = hn::And(isValid, hn::And(hn::Ge(K[c], zero), hn::Le(K[c], largest)));
+    }
+    const F mostL = mostOf(L[0], L[1], L[2]), mostK = mostOf(K[0], K[1], K[2]);
+    const auto emits = hn::Gt(mostL, zero), absorbs = hn::Gt(mostK, zero);
+    const F perArea = hn::LoadU(floats, block.perArea + k);
+    // Luminosity per pixel area must stay finite in float.
+    const auto isShown = hn::And(hn::Or(emits, absorbs),
+      hn::Lt(hn::Mul(hn::Max(mostL, mostK), perArea), hn::Set(floats, 1e37F)));
+    const auto isGrey = hn::And(hn::Eq(K[0], K[1]), hn::Eq(K[1], K[2]));
+
+    const I absorbing = flags(absorbs), grey = flags(isGrey);
+    const I slab = hn::And(flags(emits), absorbing);
+    const I kind = hn::And(absorbing,
+      choose(slab, hn::Set(words, static_cast<std::int32_t>(SplatKind::Slab)),
+        hn::Set(words, static_cast<std::int32_t>(SplatKind::Absorbs))));
+    I fate = choose(slab, choose(grey, wordOf(Fate::SlabGrey), wordOf(Fate::SlabColors)),
+      choose(grey, wordOf(Fate::AbsorbsGrey), wordOf(Fate::AbsorbsColors)));
+    fate = hn::And(fate, absorbing); // Fate::Emits is 0
+    const I valid = flags(isValid), shown = hn::And(valid, flags(isShown));
+    fate = choose(shown, fate, choose(valid, wordOf(Fate::Culled), wordOf(Fate::Invalid)));
+    hn::StoreU(fate, words, reinterpret_cast<std::int32_t*>(block.fate) + k);
+
+    F light[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      light[c] = hn::Mul(hn::IfThenElse(absorbs, K[c], L[c]), perArea);
+    }
+    const I name = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(lights.particle) + k);
+    const auto asFloat = [](I bits) { return hn::BitCast(floats, bits); };
+    light[0] = asFloat(choose(slab, name, hn::BitCast(words, light[0])));
+    light[1] = asFloat(choose(slab, hn::BitCast(words, perArea), hn::BitCast(words, light[1])));
+    light[2] = asFloat(hn::AndNot(slab, hn::BitCast(words, light[2])));
+    for (F& l : light)
+    {
+      l = asFloat(hn::And(shown, hn::BitCast(words, l)));
+    }
+    const I where = hn::Or(hn::LoadU(words, reinterpret_cast<const std::int32_t*>(block.where) + k),
+      hn::ShiftLeft<Splat::kindBit>(hn::And(kind, shown)));
+    hn::StoreInterleaved4(asFloat(where), hn::LoadU(floats, block.x + k),
+      hn::LoadU(floats, block.y + k), hn::LoadU(floats, block.h + k), floats, block.head[k]);
+    hn::StoreInterleaved4(
+      hn::LoadU(floats, block.depth + k), light[0], light[1], light[2], floats, block.tail[k]);
+  }
+}
+
+void projectVectors(const BlockPlaces& places, const BlockLights& lights, int count,
+  const Camera& camera, const TileGrid& grid, SplatBlock& block)
+{
+  projectPlaces(places, count, camera, grid, block);
+  lightPlaces(lights, count, block);
+}
+
+int listVectors(const std::uint32_t* home, int count, const TileSpan& span, std::uint32_t* which)
+{
+  const I first = hn::Set(words, span.first), end = hn::Set(words, span.end);
+  const I firstRow = hn::Set(words, span.firstRow()), lastRow = hn::Set(words, span.lastRow());
+  const I mask = hn::Set(words, 0x7fff);
+  const I step = hn::Set(words, static_cast<std::int32_t>(hn::Lanes(words)));
+  I index = hn::Iota(words, 0);
+  const hn::RebindToUnsigned<Words> numbers;
+  int listed = 0;
+  int k = 0;
+  for (; k + static_cast<int>(hn::Lanes(words)) <= count;
+       k += static_cast<int>(hn::Lanes(words)), index = hn::Add(index, step))
+  {
+    const I h = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(home) + k);
+    const auto isOne = hn::AndNot(hn::Lt(h, first), hn::Lt(h, end));
+    // Several tiles' homes are negative numbers; the last two name no tile, whatever their rows.
+    const auto isBeside = hn::Or(
+      hn::Gt(hn::And(h, mask), lastRow), hn::Lt(hn::And(hn::ShiftRight<15>(h), mask), firstRow));
+    const auto isIn = hn::Or(isOne, hn::AndNot(isBeside, hn::Lt(h, hn::Set(words, -2))));
+    listed += static_cast<int>(hn::CompressStore(
+      hn::BitCast(numbers, index), hn::RebindMask(numbers, isIn), numbers, which + listed));
+  }
+  for (; k < count; ++k)
+  {
+    const std::uint32_t h = home[k];
+    const int row0 = static_cast<int>(h & 0x7fff), row1 = static_cast<int>(h >> 15 & 0x7fff);
+    const bool isIn = TileHome::isOne(h)
+      ? span.has(static_cast<int>(h))
+      : h < TileHome::invalid && row0 <= span.lastRow() && row1 >= span.firstRow();
+    which[listed] = static_cast<std::uint32_t>(k);
+    listed += isIn;
+  }
+  return listed;
 }
 } // namespace HWY_NAMESPACE
 } // namespace galaxy
@@ -174,19 +294,25 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace galaxy
 {
+HWY_EXPORT(listVectors);
 HWY_EXPORT(locateVectors);
 HWY_EXPORT(projectVectors);
 
-void locateBlock(
-  const BlockPlaces& places, int count, const Camera& camera, int gridColumns, BlockTiles& tiles)
+void locateBlock(const BlockPlaces& places, int count, const Camera& camera, const TileGrid& grid,
+  BlockTiles& tiles)
 {
-  HWY_DYNAMIC_DISPATCH(locateVectors)(places, count, camera, gridColumns, tiles);
+  HWY_DYNAMIC_DISPATCH(locateVectors)(places, count, camera, grid, tiles);
 }
 
-void projectBlock(
-  const BlockPlaces& places, int count, const Camera& camera, Kernel kernel, SplatBlock& block)
+void projectBlock(const BlockPlaces& places, const BlockLights& lights, int count,
+  const Camera& camera, const TileGrid& grid, SplatBlock& block)
 {
-  HWY_DYNAMIC_DISPATCH(projectVectors)(places, count, camera, kernel == Kernel::Gaussian, block);
+  HWY_DYNAMIC_DISPATCH(projectVectors)(places, lights, count, camera, grid, block);
+}
+
+int listInTiles(const std::uint32_t* home, int count, const TileSpan& span, std::uint32_t* which)
+{
+  return HWY_DYNAMIC_DISPATCH(listVectors)(home, count, span, which);
 }
 } // namespace galaxy
 #endif

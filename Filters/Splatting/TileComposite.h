@@ -5,6 +5,7 @@
 #include "Filters/Splatting/Projection.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Splat.h"
+#include "Filters/Splatting/TileGrid.h"
 #include "Filters/Splatting/TileSums.h"
 
 #include <cstddef>
@@ -15,10 +16,9 @@ namespace galaxy
 struct TileTask
 {
   const Splat* splats = nullptr;
-  const KeyedSlot* order = nullptr; ///< from the farthest to the nearest; null: as they lie
+  const KeyedSlot* order = nullptr; ///< from the nearest to the farthest; null: as they lie
   std::size_t count = 0;
-  int columns = tileSide; ///< of the tile that lie in the picture
-  int rows = tileSide;
+  PixelBox pixels; ///< of the tile that lie in the picture
   Kernel kernel = Kernel::Gaussian;
   TileAbsorption absorption = TileAbsorption::None;
   bool hasOpaque = false;
@@ -29,9 +29,9 @@ struct TileTask
   const Projection* projection = nullptr; ///< that knows the light of slabs
 };
 
-/// Adds the splats to the sums, which hold nothing before (light and tau 0, through 1); how many of
-/// them, from the nearest on, it took. Compiled for several instruction sets, of which the best
-/// that the machine has is used; their pictures agree to 1e-6.
+/// Adds the splats to the sums, which hold nothing before (clear()): light, kept, tau and through
+/// are complete then. How many of them, from the nearest on, it took. Compiled for several
+/// instruction sets, of which the best that the machine has is used; their pictures agree to 1e-6.
 std::size_t compositeTile(const TileTask& task, TileSums& sums);
 } // namespace galaxy
 

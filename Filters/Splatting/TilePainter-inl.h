@@ -39,6 +39,7 @@ public:
       {
         this->draw(splat, footprint);
       }
+      this->moveNowAndThen(k, 1);
     }
     this->finish();
     return k;
@@ -75,23 +76,24 @@ public:
           this->draw(batch.splats[i], wide);
         }
       }
+      this->moveNowAndThen(k, SmallBatch::size);
     }
     this->finish();
     return std::min(k, this->task.count);
   }
 
 private:
-  /// Sums move to double by blocks of 8 x 8 pixels, each after so many splats that touched it:
-  /// contributions that are all rounded alike drift by 2^-25 each, 1e-6 in so many.
+  /// Contributions that are all rounded alike drift by 2^-26 each: light moves to double after so
+  /// many splats, optical depth in blocks of 8 x 8 pixels after so many absorbers that touched one.
+  static constexpr std::size_t lightMovesAfter = 128;
+  static constexpr int tauMovesAfter = 256;
   static constexpr int blockSide = 8;
   static constexpr int blocks = tileSide / blockSide;
-  static constexpr int lightMovesAfter = 64;
-  static constexpr int tauMovesAfter = 256;
   static constexpr std::size_t looksAfter = 2048;
   /// An absorber too thin for single precision to see beside 1 is left to the optical depth's sum;
   /// the transmittance, which waits for that, is never more than this behind.
   static constexpr float thinnestSeen = 0x1p-20F;
-  static constexpr std::size_t ahead = 12;
+  static constexpr std::size_t ahead = 16;
   static constexpr int planeSize = tileSide * tileStride; ///< from one channel to the next
   static constexpr int planes = absorption == TileAbsorption::None ? 0
     : absorption == TileAbsorption::Grey                           ? 1
@@ -102,6 +104,14 @@ private:
   {
     return planes > 0 && k % looksAfter < step && k > 0 &&
       this->restIsNegligible(this->task.count - k);
+  }
+
+  HWY_INLINE void moveNowAndThen(std::size_t k, std::size_t step)
+  {
+    if ((k + step) % lightMovesAfter < step)
+    {
+      this->moveLight();
+    }
   }
 
   HWY_INLINE void fetch(std::size_t k, SmallBatch& batch) const
@@ -115,29 +125,30 @@ private:
   /// The k-th splat from the nearest.
   HWY_INLINE const Splat& next(std::size_t k) const
   {
-    const std::size_t last = this->task.count - 1;
-    if (!this->task.order)
+    const KeyedSlot* order = this->task.order;
+    if (!order)
     {
       return this->task.splats[k];
     }
-    __builtin_prefetch(
-      &this->task.splats[slotOf(this->task.order[last - std::min(k + ahead, last)])]);
-    return this->task.splats[slotOf(this->task.order[last - k])];
+    const std::size_t later = std::min(k + ahead, this->task.count - 1);
+    __builtin_prefetch(&this->task.splats[slotOf(order[later])]);
+    return this->task.splats[slotOf(order[k])];
   }
 
   template <class Footprint>
   HWY_INLINE void draw(const Splat& splat, const Footprint& footprint)
   {
-    this->countHits(footprint.box, splat.kind() != SplatKind::Emits);
     if (splat.kind() == SplatKind::Emits)
     {
       this->emit(splat, splat.light, footprint);
     }
     else if constexpr (planes > 0)
     {
+      this->countVeils(footprint.box);
       const SlabLight light = this->task.projection->lightOf(splat);
       const float thickest =
         std::max({ light.t[0], light.t[1], light.t[2] }) * footprint.mostOfAPixel();
+      const bool emits = light.e[0] > 0 || light.e[1] > 0 || light.e[2] > 0;
       if (thickest < thinnestSeen)
       {
         this->veil(splat, light, footprint);
@@ -146,17 +157,24 @@ private:
         {
           this->moveAllTau();
         }
-        return;
       }
-      const bool emits = light.e[0] > 0 || light.e[1] > 0 || light.e[2] > 0;
-      emits                 ? this->pass<true, false>(splat, light, footprint)
-        : thickest < 0.125F ? this->pass<false, true>(splat, light, footprint)
-                            : this->pass<false, false>(splat, light, footprint);
+      else if (emits)
+      {
+        this->pass<true, false>(splat, light, footprint);
+      }
+      else if (thickest < 0.125F)
+      {
+        this->pass<false, true>(splat, light, footprint);
+      }
+      else
+      {
+        this->pass<false, false>(splat, light, footprint);
+      }
     }
   }
 
-  /// Counts the splat in the blocks that it touches, and moves those that have had enough.
-  HWY_INLINE void countHits(const Box& box, bool absorbs)
+  /// Counts an absorber in the blocks that it touches, and moves those that have had enough.
+  HWY_INLINE void countVeils(const Box& box)
   {
     const int column1 = (box.x0 + box.columns - 1) / blockSide;
     const int row1 = (box.y0 + box.rows - 1) / blockSide;
@@ -164,11 +182,7 @@ private:
     {
       for (int column = box.x0 / blockSide; column <= column1; ++column)
       {
-        if (++this->hits[row][column] == lightMovesAfter)
-        {
-          this->moveLight(column, row);
-        }
-        if (planes > 0 && absorbs && ++this->veils[row][column] == tauMovesAfter)
+        if (++this->veils[row][column] == tauMovesAfter)
         {
           this->moveTau(column, row);
         }
@@ -188,7 +202,7 @@ private:
     return w;
   }
 
-  /// I <- I + T e, tau <- tau + t: a slab whose phi(t) is 1.
+  /// C <- C + e, tau <- tau + t: a slab whose phi(t) is 1.
   template <class Footprint>
   HWY_NOINLINE void veil(const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
@@ -213,7 +227,7 @@ private:
     }
   }
 
-  /// I <- I + T e.
+  /// C <- C + e.
   template <class Footprint>
   HWY_INLINE void emit(const Splat& splat, const float* light, const Footprint& footprint)
   {
@@ -224,29 +238,22 @@ private:
     const Vector e[3] = { hn::Set(d, light[0]), hn::Set(d, light[1]), hn::Set(d, light[2]) };
     const int N = lanes(d);
     float* HWY_RESTRICT sum = &this->sums.recentLight.values[0][box.y0][box.x0];
-    const float* HWY_RESTRICT through = &this->sums.through.values[0][box.y0][box.x0];
-    for (int y = 0; y < box.rows; ++y, sum += tileStride, through += tileStride)
+    for (int y = 0; y < box.rows; ++y, sum += tileStride)
     {
       const auto row = footprint.rowAt(y);
       for (int x = 0; x < box.columns; x += N)
       {
-        Vector w = this->seen(d, footprint.weights(row, y, x), splat, box.y0 + y, box.x0 + x);
-        if constexpr (planes == 1)
-        {
-          w = hn::Mul(w, hn::LoadU(d, through + x));
-        }
+        const Vector w = this->seen(d, footprint.weights(row, y, x), splat, box.y0 + y, box.x0 + x);
         for (int c = 0; c < 3; ++c)
         {
-          const Vector seen =
-            planes == 3 ? hn::Mul(w, hn::LoadU(d, through + c * planeSize + x)) : w;
           float* HWY_RESTRICT at = sum + c * planeSize + x;
-          hn::StoreU(hn::MulAdd(seen, e[c], hn::LoadU(d, at)), d, at);
+          hn::StoreU(hn::MulAdd(w, e[c], hn::LoadU(d, at)), d, at);
         }
       }
     }
   }
 
-  /// I <- I + T e phi(t), T <- T e^-t.
+  /// C <- C + e phi(t), then what of it the slab would hide is kept, and T <- T e^-t.
   template <bool emits, bool isThin, class Footprint>
   HWY_NOINLINE void pass(const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
@@ -256,7 +263,9 @@ private:
     const Box box = footprint.box;
     const int N = lanes(d);
     const int first = box.y0 * tileStride + box.x0;
-    float* HWY_RESTRICT sums = &this->sums.recentLight.values[0][0][0] + first;
+    float* HWY_RESTRICT lights = &this->sums.recentLight.values[0][0][0] + first;
+    const float* HWY_RESTRICT moved = &this->sums.movedLight.values[0][0][0] + first;
+    float* HWY_RESTRICT kept = &this->sums.recentKept.values[0][0][0] + first;
     float* HWY_RESTRICT throughs = &this->sums.through.values[0][0][0] + first;
     float* HWY_RESTRICT taus = &this->sums.recentTau.values[0][0][0] + first;
     for (int y = 0; y < box.rows; ++y)
@@ -282,66 +291,88 @@ private:
             phiOfAny(d, t, phi, decay);
             dimmed = hn::Mul(T, decay);
           }
-          // One plane of transmittance stands for all three channels.
-          for (int c = plane; emits && c < (planes == 3 ? plane + 1 : 3); ++c)
-          {
-            float* HWY_RESTRICT sum = sums + c * planeSize + y * tileStride + x;
-            const Vector e = hn::Mul(hn::Mul(w, hn::Set(d, light.e[c])), phi);
-            hn::StoreU(hn::MulAdd(T, e, hn::LoadU(d, sum)), d, sum);
-          }
+          const Vector hidden = hn::Sub(T, dimmed);
           hn::StoreU(hn::Add(hn::LoadU(d, taus + at), t), d, taus + at);
           hn::StoreU(dimmed, d, throughs + at);
+          // One plane of transmittance stands for all three channels.
+          for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
+          {
+            const int place = c * planeSize + y * tileStride + x;
+            Vector recent = hn::LoadU(d, lights + place);
+            if constexpr (emits)
+            {
+              recent = hn::MulAdd(hn::Mul(w, hn::Set(d, light.e[c])), phi, recent);
+              hn::StoreU(recent, d, lights + place);
+            }
+            const Vector all = hn::Add(recent, hn::LoadU(d, moved + place));
+            hn::StoreU(hn::MulAdd(hidden, all, hn::LoadU(d, kept + place)), d, kept + place);
+          }
         }
       }
     }
   }
 
-  /// Adds what float holds of a block's row to double and clears it.
-  static HWY_INLINE void moveRow(float* recent, double* sum)
+  using Four = hn::CappedTag<double, 4>;
+  using FourHalves = hn::Rebind<float, Four>;
+
+  /// Adds what float holds to double and clears it; the sum.
+  static HWY_INLINE hn::Vec<Four> move(float* recent, double* sum)
   {
-    const hn::CappedTag<double, 4> wide;
-    const hn::Rebind<float, hn::CappedTag<double, 4>> half;
-    for (int x = 0; x < blockSide; x += lanes(wide))
-    {
-      const auto more = hn::PromoteTo(wide, hn::LoadU(half, recent + x));
-      hn::StoreU(hn::Add(hn::LoadU(wide, sum + x), more), wide, sum + x);
-      hn::StoreU(hn::Zero(half), half, recent + x);
-    }
+    const Four wide;
+    const FourHalves half;
+    const auto all = hn::Add(hn::LoadU(wide, sum), hn::PromoteTo(wide, hn::LoadU(half, recent)));
+    hn::StoreU(all, wide, sum);
+    hn::StoreU(hn::Zero(half), half, recent);
+    return all;
   }
 
-  HWY_NOINLINE void moveLight(int column, int row)
+  HWY_NOINLINE void moveLight()
   {
-    this->hits[row][column] = 0;
     for (int c = 0; c < 3; ++c)
     {
-      for (int y = row * blockSide; y < (row + 1) * blockSide; ++y)
+      for (int y = 0; y < tileSide; ++y)
       {
-        moveRow(&this->sums.recentLight.values[c][y][column * blockSide],
-          &this->sums.light.values[c][y][column * blockSide]);
+        for (int x = 0; x < tileSide; x += lanes(Four()))
+        {
+          const auto all =
+            move(&this->sums.recentLight.values[c][y][x], &this->sums.light.values[c][y][x]);
+          if constexpr (planes > 0)
+          {
+            hn::StoreU(hn::DemoteTo(FourHalves(), all), FourHalves(),
+              &this->sums.movedLight.values[c][y][x]);
+          }
+        }
       }
     }
   }
 
-  /// Moves the optical depth and makes the transmittance anew.
+  /// Moves the optical depth and the light kept, and makes the transmittance anew.
   HWY_NOINLINE void moveTau(int column, int row)
   {
     this->veils[row][column] = 0;
-    for (int c = 0; c < planes; ++c)
+    const FourHalves half;
+    const int N = lanes(half);
+    const int x0 = column * blockSide, x1 = x0 + blockSide;
+    for (int y = row * blockSide; y < (row + 1) * blockSide; ++y)
     {
-      for (int y = row * blockSide; y < (row + 1) * blockSide; ++y)
+      for (int x = x0; x < x1; x += N)
       {
-        const int first = column * blockSide;
-        double* tau = &this->sums.tau.values[c][y][first];
-        moveRow(&this->sums.recentTau.values[c][y][first], tau);
-        HWY_ALIGN float depth[blockSide];
-        for (int x = 0; x < blockSide; ++x)
+        for (int plane = 0; plane < planes; ++plane)
         {
-          depth[x] = static_cast<float>(tau[x]);
-        }
-        for (int x = 0; x < blockSide; x += lanes())
-        {
-          hn::StoreU(hn::Exp(tag, hn::Neg(hn::LoadU(tag, depth + x))), tag,
-            &this->sums.through.values[c][y][first + x]);
+          const auto tau = hn::DemoteTo(half,
+            move(&this->sums.recentTau.values[plane][y][x], &this->sums.tau.values[plane][y][x]));
+          const auto through = hn::Exp(half, hn::Neg(tau));
+          float* at = &this->sums.through.values[plane][y][x];
+          const auto hidden = hn::Sub(hn::LoadU(half, at), through);
+          hn::StoreU(through, half, at);
+          for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
+          {
+            const auto all = hn::Add(hn::LoadU(half, &this->sums.recentLight.values[c][y][x]),
+              hn::LoadU(half, &this->sums.movedLight.values[c][y][x]));
+            float* kept = &this->sums.recentKept.values[c][y][x];
+            hn::StoreU(hn::MulAdd(hidden, all, hn::LoadU(half, kept)), half, kept);
+            move(kept, &this->sums.kept.values[c][y][x]);
+          }
         }
       }
     }
@@ -358,11 +389,11 @@ private:
 
   void finish()
   {
-    for (int block = 0; block < blocks * blocks; ++block)
+    this->moveLight();
+    if constexpr (planes > 0)
     {
-      this->moveLight(block % blocks, block / blocks);
+      this->moveAllTau();
     }
-    this->moveAllTau();
   }
 
   bool restIsNegligible(std::size_t rest) const
@@ -370,10 +401,11 @@ private:
     float most = 0;
     for (int c = 0; c < planes; ++c)
     {
-      for (int y = 0; y < this->task.rows; ++y)
+      for (int y = this->task.pixels.y0; y < this->task.pixels.y1; ++y)
       {
         const float* row = this->sums.through.values[c][y];
-        most = std::max(most, *std::max_element(row, row + this->task.columns));
+        most =
+          std::max(most, *std::max_element(row + this->task.pixels.x0, row + this->task.pixels.x1));
       }
     }
     return most * this->task.brightest * static_cast<float>(rest) <= this->task.negligible;
@@ -382,7 +414,6 @@ private:
   const TileTask& task;
   TileSums& sums;
   float unseen = 0; ///< optical depth that the transmittance may be behind
-  int hits[blocks][blocks] = {};
   int veils[blocks][blocks] = {};
 };
 } // namespace HWY_NAMESPACE

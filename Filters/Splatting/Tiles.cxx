@@ -12,17 +12,6 @@ namespace galaxy
 {
 namespace
 {
-/// Tiles, the last ones included.
-struct TileRange
-{
-  int column0, row0, column1, row1;
-  static TileRange of(const PixelBox& box)
-  {
-    return { box.x0 / tileSide, box.y0 / tileSide, (box.x1 - 1) / tileSide,
-      (box.y1 - 1) / tileSide };
-  }
-};
-
 /// The particles that one of `parts` shares begins with, a multiple of the block's size.
 std::size_t shareBegin(std::size_t size, std::size_t part, std::size_t parts)
 {
@@ -40,7 +29,6 @@ public:
     , begin(shareBegin(dealer.projection.size(), part, parts))
     , end(shareBegin(dealer.projection.size(), part + 1, parts))
     , block(new SplatBlock)
-    , lit(new LitBlock)
   {
   }
 
@@ -56,7 +44,7 @@ public:
       {
         this->places.set(k, this->dealer.projection.position(i + k), radius[k]);
       }
-      locateBlock(this->places, size, this->dealer.camera, this->dealer.tiles.columns, *tiles);
+      locateBlock(this->places, size, this->dealer.camera, this->dealer.tiles, *tiles);
       for (int k = 0; k < size; ++k)
       {
         home[i + k] = this->countOne(i + k, *tiles, k, counts, absent);
@@ -64,35 +52,42 @@ public:
     }
   }
 
-  /// `place` says, for every tile of the band, where this share's next splat goes.
-  void deal(std::vector<std::size_t>& place, TileBand& band, ProjectionCounts& counts)
+  /// The writer has a list for every tile of the band.
+  void deal(SplatWriter& writer, const TileSpan& band, ProjectionCounts& counts)
   {
     const Projection& projection = this->dealer.projection;
     for (std::size_t i = this->begin; i < this->end; i += SplatBlock::most)
     {
-      const int size = this->sizeAt(i);
-      const std::uint32_t* home = &this->dealer.home[i];
-      const int count = this->listWanted(home, size, band);
+      const int count =
+        listInTiles(&this->dealer.memory.home[i], this->sizeAt(i), band, this->wanted);
       if (count == 0)
       {
         continue;
       }
-      const float* radius = projection.radii(i, size, this->scaledRadii);
+      const float* radius = projection.radii(i, this->sizeAt(i), this->scaledRadii);
       for (int k = 0; k < count; ++k)
       {
-        const int j = this->wanted[k];
+        const std::uint32_t j = this->wanted[k];
         this->places.set(k, projection.position(i + j), radius[j]);
       }
-      projectBlock(this->places, count, this->dealer.camera, this->dealer.kernel, *this->block);
-      projection.light(i, this->wanted, count, this->block->perArea, *this->lit);
+      projection.light(i, this->wanted, count, this->lights);
+      projectBlock(
+        this->places, this->lights, count, this->dealer.camera, this->dealer.tiles, *this->block);
       for (int k = 0; k < count; ++k)
       {
-        const int j = this->wanted[k];
-        TileHome::isOne(home[j])
-          ? this->dealToOne(k, static_cast<int>(home[j]), place, band, counts)
-          : this->dealToSeveral(i + j, k, home[j] == TileHome::odd, place, band, counts);
+        const std::uint32_t home = this->block->tiles.home[k];
+        if (TileHome::isOne(home))
+        {
+          ++this->tally[static_cast<int>(this->block->fate[k])];
+          writer.write(static_cast<int>(home) - band.first, this->block->splat(k));
+        }
+        else
+        {
+          this->dealToSeveral(k, writer, band);
+        }
       }
     }
+    this->count(counts);
   }
 
 private:
@@ -101,37 +96,17 @@ private:
     return static_cast<int>(std::min<std::size_t>(SplatBlock::most, this->end - i));
   }
 
-  /// Lists the particles of a block that the band may want; their number.
-  int listWanted(const std::uint32_t* home, int size, const TileBand& band)
-  {
-    const auto first = static_cast<std::uint32_t>(band.firstTile);
-    const auto width = static_cast<std::uint32_t>(band.lastTile - band.firstTile);
-    const int row0 = this->firstRow(band), row1 = this->lastRow(band);
-    int count = 0;
-    for (int k = 0; k < size; ++k)
-    {
-      this->wanted[count] = static_cast<std::uint16_t>(k);
-      const std::uint32_t h = home[k];
-      const bool isHere = TileHome::isOne(h) ? h - first < width
-        : h >= TileHome::odd                 ? h == TileHome::odd
-                             : TileHome::row0(h) <= row1 && TileHome::row1(h) >= row0;
-      count += isHere;
-    }
-    return count;
-  }
-
-  int firstRow(const TileBand& band) const { return band.firstTile / this->dealer.tiles.columns; }
-  int lastRow(const TileBand& band) const
-  {
-    return (band.lastTile - 1) / this->dealer.tiles.columns;
-  }
-
   /// Counts particle i in the tiles that it may touch, and says where it is.
   std::uint32_t countOne(std::size_t i, const BlockTiles& tiles, int k,
     std::vector<std::uint32_t>& counts, ProjectionCounts& absent) const
   {
     const std::uint32_t home = tiles.home[k];
-    if (home == TileHome::nowhere || (home != TileHome::odd && !this->dealer.projection.visible(i)))
+    if (home == TileHome::invalid)
+    {
+      ++absent.invalid;
+      return TileHome::nowhere;
+    }
+    if (home == TileHome::nowhere || !this->dealer.projection.visible(i))
     {
       ++absent.culled;
       return TileHome::nowhere;
@@ -141,107 +116,70 @@ private:
       ++counts[home];
       return home;
     }
-    TileRange range = { tiles.column0[k], tiles.row0[k], tiles.column1[k], tiles.row1[k] };
-    if (home == TileHome::odd)
-    {
-      ProjectionCounts one;
-      const PixelBox box = this->dealer.projection.classify(i, one);
-      if (box.empty())
-      {
-        absent += one;
-        return TileHome::nowhere;
-      }
-      range = TileRange::of(box);
-    }
-    this->forEachTile(range, [&](int tile, int, int) { ++counts[tile]; });
-    return home;
-  }
-
-  /// Calls visit(tile, its left and lower pixel) for each tile of a range.
-  template <typename Visit>
-  void forEachTile(const TileRange& range, Visit visit) const
-  {
+    const TileRange range = tiles.range(k);
     for (int row = range.row0; row <= range.row1; ++row)
     {
       for (int column = range.column0; column <= range.column1; ++column)
       {
-        visit(row * this->dealer.tiles.columns + column, column * tileSide, row * tileSide);
+        ++counts[row * this->dealer.tiles.columns + column];
       }
     }
+    return home;
   }
 
-  /// The k-th particle of the block, all of it in one tile.
-  void dealToOne(int k, int tile, std::vector<std::size_t>& place, TileBand& band,
-    ProjectionCounts& counts) const
+  /// The k-th particle of the block, to each of its tiles that is in the band.
+  void dealToSeveral(int k, SplatWriter& writer, const TileSpan& band)
   {
-    const int columns = this->dealer.tiles.columns;
-    this->lit->count(k, counts);
-    this->write(k, tile % columns * tileSide, tile / columns * tileSide,
-      band.splats[place[tile - band.firstTile]++]);
-  }
-
-  void dealToSeveral(std::size_t i, int k, bool isOdd, std::vector<std::size_t>& place,
-    TileBand& band, ProjectionCounts& counts)
-  {
-    const SplatBlock& b = *this->block;
-    PixelBox box = { b.x0[k], b.y0[k], b.x1[k], b.y1[k] };
-    if (isOdd)
-    {
-      ProjectionCounts known;
-      box = this->dealer.projection.classify(i, known);
-      this->dealer.projection.place(i, this->dealer.kernel, *this->block, k);
-      this->dealer.projection.light(i, k, b.perArea[k], *this->lit);
-    }
-    TileRange range = TileRange::of(box);
+    const TileRange range = this->block->tiles.range(k);
     // A particle counts in the band that has its first tile.
-    if (band.has(range.row0 * this->dealer.tiles.columns + range.column0))
+    if (band.has(range.row0 * band.gridColumns + range.column0))
     {
-      this->lit->count(k, counts);
+      ++this->tally[static_cast<int>(this->block->fate[k])];
     }
-    range.row0 = std::max(range.row0, this->firstRow(band));
-    range.row1 = std::min(range.row1, this->lastRow(band));
-    this->forEachTile(range, [&](int tile, int left, int bottom) {
-      if (band.has(tile))
+    const Splat splat = this->block->splat(k);
+    const int row1 = std::min(range.row1, band.lastRow());
+    for (int row = std::max(range.row0, band.firstRow()); row <= row1; ++row)
+    {
+      for (int column = range.column0; column <= range.column1; ++column)
       {
-        this->write(k, left, bottom, band.splats[place[tile - band.firstTile]++]);
+        const int tile = row * band.gridColumns + column;
+        if (band.has(tile))
+        {
+          writer.write(tile - band.first,
+            splat.from((column - range.column0) * tileSide, (row - range.row0) * tileSide));
+        }
       }
-    });
+    }
   }
 
-  /// Writes the splat as the tile with this left and lower pixel sees it.
-  void write(int k, int left, int bottom, Splat& splat) const
+  void count(ProjectionCounts& counts) const
   {
-    const SplatBlock& b = *this->block;
-    const int column = std::clamp(b.column[k] - left, -Splat::farPixel, Splat::farPixel);
-    const int row = std::clamp(b.row[k] - bottom, -Splat::farPixel, Splat::farPixel);
-    splat.where = Splat::pack(column, row, this->lit->kind[k]);
-    splat.x = b.x[k] + static_cast<float>(b.column[k] - left - column);
-    splat.y = b.y[k] + static_cast<float>(b.row[k] - bottom - row);
-    splat.h = b.h[k];
-    splat.depth = b.depth[k];
-    splat.light[0] = this->lit->light[0][k];
-    splat.light[1] = this->lit->light[1][k];
-    splat.light[2] = this->lit->light[2][k];
-    // Hundreds of tiles take turns: the line that this one's next splats will need can come until
-    // then, where a store would wait for it.
-    __builtin_prefetch(&splat + 4, 1);
+    const auto of = [this](Fate fate) { return this->tally[static_cast<int>(fate)]; };
+    const std::size_t colors = of(Fate::AbsorbsColors) + of(Fate::SlabColors);
+    const std::size_t absorbers = colors + of(Fate::AbsorbsGrey) + of(Fate::SlabGrey);
+    counts.drawn += of(Fate::Emits) + absorbers;
+    counts.emitters += of(Fate::Emits) + of(Fate::SlabGrey) + of(Fate::SlabColors);
+    counts.absorbers += absorbers;
+    counts.colored += colors;
+    counts.culled += of(Fate::Culled);
+    counts.invalid += of(Fate::Invalid);
   }
 
   const TileDealer& dealer;
   std::size_t begin, end;
   std::unique_ptr<SplatBlock> block;
   BlockPlaces places = {};
+  BlockLights lights;
   float scaledRadii[SplatBlock::most];
-  std::unique_ptr<LitBlock> lit;
-  std::uint16_t wanted[SplatBlock::most];
+  std::uint32_t wanted[SplatBlock::most + 16];
+  std::size_t tally[fates] = {}; ///< particles by fate
 };
 
-TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Kernel kernel_)
+TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, RenderMemory& memory_)
   : projection(projection_)
   , camera(camera_)
-  , kernel(kernel_)
   , tiles(camera_.width, camera_.height)
-  , home(projection_.size())
+  , memory(memory_)
   , counts(omp_get_max_threads(), std::vector<std::uint32_t>(this->tiles.size()))
   , totals(this->tiles.size())
 {
@@ -249,12 +187,17 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ker
   {
     throw Error("particles", "", "more than 2^32 - 1 in one rendering; render fewer at a time");
   }
+  if (this->memory.home.size() < projection.size())
+  {
+    this->memory.home = Buffer<std::uint32_t>(projection.size());
+  }
   const std::size_t parts = this->counts.size();
   std::vector<ProjectionCounts> absences(parts);
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)
   {
-    Share(*this, part, parts).count(this->home, this->counts[part], absences[part]);
+    const std::unique_ptr<Share> share(new Share(*this, part, parts));
+    share->count(this->memory.home, this->counts[part], absences[part]);
   }
   for (std::size_t part = 0; part < parts; ++part)
   {
@@ -292,8 +235,9 @@ std::size_t TileDealer::splats() const
   return std::accumulate(this->totals.begin(), this->totals.end(), std::size_t(0));
 }
 
-void TileDealer::deal(int k, TileBand& band) const
+const TileBand& TileDealer::deal(int k) const
 {
+  TileBand& band = this->memory.band;
   const int firstTile = this->starts[k], lastTile = this->starts[k + 1];
   const int width = lastTile - firstTile;
   const std::size_t parts = this->counts.size();
@@ -314,17 +258,20 @@ void TileDealer::deal(int k, TileBand& band) const
     }
   }
   band.first[width] = sum;
-  if (band.splats.size() < sum)
+  if (sum > 0)
   {
-    band.splats = Buffer<Splat>(this->largestBand);
+    band.splats.reserve(this->largestBand);
   }
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)
   {
     ProjectionCounts counted;
-    Share(*this, part, parts).deal(places[part], band, counted);
+    SplatWriter writer(band.splats, places[part]);
+    const std::unique_ptr<Share> share(new Share(*this, part, parts));
+    share->deal(writer, { firstTile, lastTile, this->tiles.columns }, counted);
 #pragma omp critical
     band.counts += counted;
   }
+  return band;
 }
 } // namespace galaxy

@@ -1,9 +1,11 @@
 #ifndef galaxy_Tiles_h
 #define galaxy_Tiles_h
 
+#include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/Projection.h"
 #include "Filters/Splatting/Splat.h"
-#include "Filters/Splatting/TileSums.h"
+#include "Filters/Splatting/SplatMemory.h"
+#include "Filters/Splatting/TileGrid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,19 +13,6 @@
 
 namespace galaxy
 {
-/// The tiles that cover an image, row by row from the lower left one.
-struct TileGrid
-{
-  int columns = 0;
-  int rows = 0;
-  TileGrid(int width, int height)
-    : columns((width + tileSide - 1) / tileSide)
-    , rows((height + tileSide - 1) / tileSide)
-  {
-  }
-  int size() const { return this->columns * this->rows; }
-};
-
 /// The splats of consecutive tiles.
 struct TileBand
 {
@@ -31,8 +20,15 @@ struct TileBand
   int lastTile = 0; ///< one beyond
   bool has(int tile) const { return tile >= this->firstTile && tile < this->lastTile; }
   std::vector<std::size_t> first; ///< of each tile's splats, and of those after the last
-  Buffer<Splat> splats;           ///< tile after tile, in a tile by the particles' index
+  SplatMemory splats;             ///< tile after tile, in a tile by the particles' index
   ProjectionCounts counts;        ///< of the particles that have a splat here
+};
+
+/// What a picture is made in: 16 bytes a particle, or 64 MB.
+struct RenderMemory
+{
+  Buffer<std::uint32_t> home; ///< a TileHome of every particle
+  TileBand band;
 };
 
 /// Deals the particles of a picture to its tiles, as many tiles at a time as fit into memory.
@@ -41,15 +37,15 @@ class TileDealer
 public:
   /// Projects every particle and counts the splats of every tile. Throws Error if there are more
   /// particles than 32 bits can number.
-  TileDealer(const Projection& projection, const Camera& camera, Kernel kernel);
+  TileDealer(const Projection& projection, const Camera& camera, RenderMemory& memory);
 
   /// How many bands the tiles make, so many that the splats of each fit into memory: with the home
   /// of every particle 16 bytes for each of them, and no less than 64 MB.
   int bands() const { return static_cast<int>(this->starts.size()) - 1; }
 
   /// The splats of band k; the same for any number of threads. They are written over those of the
-  /// band before, whose memory is used again.
-  void deal(int k, TileBand& band) const;
+  /// band before.
+  const TileBand& deal(int k) const;
 
   const TileGrid& grid() const { return this->tiles; }
   std::size_t splatsOf(int tile) const { return this->totals[tile]; }
@@ -64,9 +60,8 @@ private:
 
   const Projection& projection;
   Camera camera;
-  Kernel kernel;
   TileGrid tiles;
-  Buffer<std::uint32_t> home; ///< the tile of every particle, or one of those below
+  RenderMemory& memory;
   std::vector<std::vector<std::uint32_t>> counts; ///< by share and tile
   std::vector<std::size_t> totals;                ///< by tile
   ProjectionCounts absent;

@@ -3,6 +3,7 @@
 // part of a view's name, such as stars. N synthetic particles, or a scene file of nine float32
 // arrays x y z h I R G B type one after the other (kpc; type 0 gas, 2 dust, others stars).
 #include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Tiles.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -160,7 +161,9 @@ int main(int argc, char** argv)
   const int repeats = argc > 2 ? std::atoi(argv[2]) : 3;
   const bool isNumber = source.find_first_not_of("0123456789") == std::string::npos;
   const Scene scene = isNumber ? makeScene(std::stoull(source)) : readScene(source);
+  RenderMemory memory;
   RenderOptions options;
+  options.memory = &memory;
   options.kernel =
     argc > 3 && std::string(argv[3]) == "spline" ? Kernel::CubicSpline : Kernel::Gaussian;
   wantedViews = argc > 4 ? argv[4] : "";

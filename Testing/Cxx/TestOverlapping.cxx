@@ -1,4 +1,5 @@
 // Particles that share their path: against the transfer integral along a ray, by quadrature.
+#include "Filters/Splatting/GaussianKernel.h"
 #include "RenderFixtures.h"
 
 #include <gtest/gtest.h>
@@ -58,9 +59,8 @@ Scene sceneOf(const std::vector<Gauss>& balls, double G(double sigma))
 /// The mean over the middle pixel of 0.1 kpc.
 double middleShare(double sigma)
 {
-  const double part = std::erf(0.05 / sigma) / 0.1;
-  const double edge = 3 + 2 / M_PI * 0.1 / sigma;
-  return part * part / (1 - std::exp(-edge * edge));
+  const double part = 2 * gaussianCumulative(0.05 / sigma) / 0.1;
+  return part * part;
 }
 
 double lightOf(const std::vector<Gauss>& balls, Accuracy accuracy, double slices, bool parallel)

@@ -1,16 +1,23 @@
-#include "Filters/Splatting/ErfPolynomial.h"
+#include "Filters/Splatting/GaussianKernel.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace galaxy
 {
-const ErfPolynomial erfPolynomial;
+const GaussianPolynomial gaussianPolynomial;
 
-ErfPolynomial::ErfPolynomial()
+double gaussianCumulative(double s)
 {
-  // erf(u)/u as a sum of Chebyshev polynomials in s = 2 u^2/end^2 - 1, then expanded in powers of
-  // s.
+  const double edge = std::exp(-9.0), root = std::sqrt(M_PI);
+  const double inside = std::clamp(s, -3.0, 3.0);
+  return (0.5 * root * std::erf(inside) - edge * inside) / (root * std::erf(3.0) - 6 * edge);
+}
+
+GaussianPolynomial::GaussianPolynomial()
+{
+  // The share/u as a sum of Chebyshev polynomials in s = 2 u^2/end^2 - 1, then expanded in powers
+  // of s.
   constexpr int n = degree + 1;
   double power[n] = {};
   double previous[n] = { 1 };   // T_0
@@ -22,7 +29,7 @@ ErfPolynomial::ErfPolynomial()
     {
       const double angle = M_PI * (j + 0.5) / n;
       const double u = end * std::sqrt((std::cos(angle) + 1) / 2);
-      moment += std::erf(u) / u * std::cos(k * angle);
+      moment += gaussianCumulative(u) / u * std::cos(k * angle);
     }
     const double weight = (k == 0 ? 1.0 : 2.0) / n * moment;
     const double* T = k == 0 ? previous : current;

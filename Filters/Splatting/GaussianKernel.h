@@ -1,0 +1,23 @@
+#ifndef galaxy_GaussianKernel_h
+#define galaxy_GaussianKernel_h
+
+namespace galaxy
+{
+/// Along each axis of the image a Gaussian kernel of smoothing length h is exp(-s^2) - exp(-9),
+/// s = 3 x / h, which ends at |x| = h without a step. Its share of light below s: 0 up to s = -3,
+/// 1/2 in the middle, less that half here, so that it is odd.
+double gaussianCumulative(double s);
+
+/// The same for |s| <= end in single precision, to 1e-7: s P(2 s^2/end^2 - 1), P through the
+/// Chebyshev nodes.
+struct GaussianPolynomial
+{
+  static constexpr int degree = 11;
+  static constexpr float end = 3;
+  GaussianPolynomial();
+  float coefficients[degree + 1];
+};
+extern const GaussianPolynomial gaussianPolynomial;
+} // namespace galaxy
+
+#endif

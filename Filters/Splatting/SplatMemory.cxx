@@ -1,0 +1,85 @@
+#include "Filters/Splatting/SplatMemory.h"
+
+#include <hwy/cache_control.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace galaxy
+{
+void SplatMemory::Free::operator()(Splat* splats) const
+{
+  std::free(splats);
+}
+
+void SplatMemory::reserve(std::size_t count)
+{
+  if (count <= this->capacity)
+  {
+    return;
+  }
+  constexpr std::size_t page = std::size_t(1) << 21;
+  const std::size_t bytes = (count * sizeof(Splat) + page - 1) / page * page;
+  this->splats.reset();
+  this->capacity = 0;
+  this->splats.reset(static_cast<Splat*>(std::aligned_alloc(page, bytes)));
+  if (!this->splats)
+  {
+    throw std::bad_alloc();
+  }
+#ifdef __linux__
+  madvise(this->splats.get(), bytes, MADV_HUGEPAGE);
+#endif
+  this->capacity = count;
+}
+
+SplatWriter::SplatWriter(SplatMemory& memory, const std::vector<std::size_t>& places)
+  : memory(memory)
+  , lists(places.size())
+{
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    this->lists[k].first = this->lists[k].next = places[k];
+  }
+}
+
+/// Writes the line that has just been filled.
+void SplatWriter::flush(List& list)
+{
+  Splat* to = &this->memory[list.next - 2];
+  if (list.next - 2 < list.first)
+  {
+    to[1] = list.line[1]; // another share writes the line's first half
+    return;
+  }
+#ifdef __SSE2__
+  const auto* from = reinterpret_cast<const __m128i*>(list.line);
+  for (std::size_t k = 0; k < sizeof(list.line) / 16; ++k)
+  {
+    _mm_stream_si128(reinterpret_cast<__m128i*>(to) + k, _mm_load_si128(from + k));
+  }
+#else
+  std::memcpy(to, list.line, sizeof(list.line));
+#endif
+}
+
+SplatWriter::~SplatWriter()
+{
+  for (const List& list : this->lists)
+  {
+    if (list.next & 1 && list.next > list.first)
+    {
+      this->memory[list.next - 1] = list.line[0];
+    }
+  }
+  hwy::FlushStream();
+}
+} // namespace galaxy

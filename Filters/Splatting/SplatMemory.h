@@ -1,0 +1,69 @@
+#ifndef galaxy_SplatMemory_h
+#define galaxy_SplatMemory_h
+
+#include "Filters/Splatting/Splat.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace galaxy
+{
+/// Memory for splats, which begins with a cache line; on Linux in large pages where there are any,
+/// since what is dealt to a thousand tiles goes to a thousand places.
+class SplatMemory
+{
+public:
+  /// Room for so many, what was there lost. Throws std::bad_alloc.
+  void reserve(std::size_t count);
+  Splat* data() { return this->splats.get(); }
+  const Splat* data() const { return this->splats.get(); }
+  Splat& operator[](std::size_t i) { return this->splats.get()[i]; }
+
+private:
+  struct Free
+  {
+    void operator()(Splat* splats) const;
+  };
+  std::unique_ptr<Splat, Free> splats;
+  std::size_t capacity = 0;
+};
+
+/// Writes splats to many places in turn, two by two: whole cache lines, that memory takes without
+/// having been read before.
+class SplatWriter
+{
+public:
+  /// `places` are the slots of `memory` where the next splat of each of the lists goes.
+  SplatWriter(SplatMemory& memory, const std::vector<std::size_t>& places);
+  ~SplatWriter();
+  SplatWriter(const SplatWriter&) = delete;
+  void operator=(const SplatWriter&) = delete;
+
+  void write(std::size_t list, const Splat& splat)
+  {
+    List& l = this->lists[list];
+    l.line[l.next & 1] = splat;
+    if (++l.next & 1)
+    {
+      return;
+    }
+    this->flush(l);
+  }
+
+private:
+  struct alignas(128) List
+  {
+    Splat line[2];
+    std::size_t next = 0;
+    std::size_t first = 0;
+  };
+  void flush(List& list);
+
+  SplatMemory& memory;
+  std::vector<List> lists;
+};
+} // namespace galaxy
+
+#endif
