@@ -8,26 +8,27 @@ namespace galaxy
 {
 namespace
 {
-constexpr int digitBits = 8;
-constexpr std::size_t digits = std::size_t(1) << digitBits;
+constexpr int mostDigitBits = 10;
+/// A digit's counts, and then places.
+using Digits = std::array<std::uint32_t, std::size_t(1) << mostDigitBits>;
 /// Fewer are sorted by comparing them.
 constexpr std::ptrdiff_t fewest = 192;
 
 /// One stable counting pass by the digit of (key - lowest) at `shift`.
 void countingPass(const KeyedSlot* from, const KeyedSlot* end, KeyedSlot* to, std::uint32_t lowest,
-  int shift, const std::array<std::uint32_t, digits>& counts)
+  int shift, std::uint32_t mask, Digits& counts)
 {
-  std::array<std::uint32_t, digits> next;
   std::uint32_t sum = 0;
-  for (std::size_t d = 0; d < digits; ++d)
+  for (std::size_t d = 0; d <= mask; ++d)
   {
-    next[d] = sum;
+    const std::uint32_t begin = sum;
     sum += counts[d];
+    counts[d] = begin;
   }
   for (; from != end; ++from)
   {
     const std::uint32_t key = static_cast<std::uint32_t>(*from >> 32) - lowest;
-    to[next[key >> shift & (digits - 1)]++] = *from;
+    to[counts[key >> shift & mask]++] = *from;
   }
 }
 } // namespace
@@ -55,19 +56,26 @@ void sortByKey(KeyedSlot* begin, KeyedSlot* end, std::vector<KeyedSlot>& scratch
     lowest = std::min(lowest, keyOf(*item));
     highest = std::max(highest, keyOf(*item));
   }
-  // Depths of a part of the picture share their leading bits.
-  int passes = 0;
-  while (passes < 4 && (highest - lowest) >> (digitBits * passes) != 0)
+  // Depths seen from outside share their leading bits: two passes are then enough.
+  int bits = 0;
+  while (bits < 32 && (highest - lowest) >> bits != 0)
   {
-    ++passes;
+    ++bits;
   }
-  std::array<std::array<std::uint32_t, digits>, 4> counts{};
+  const int passes = (bits + mostDigitBits - 1) / mostDigitBits;
+  const int digitBits = passes > 0 ? (bits + passes - 1) / passes : 0;
+  const std::uint32_t mask = (1U << digitBits) - 1;
+  std::array<Digits, 4> counts;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    std::fill_n(counts[pass].begin(), mask + 1, 0);
+  }
   for (const KeyedSlot* item = begin; item != end; ++item)
   {
     const std::uint32_t key = keyOf(*item) - lowest;
     for (int pass = 0; pass < passes; ++pass)
     {
-      ++counts[pass][key >> (digitBits * pass) & (digits - 1)];
+      ++counts[pass][key >> (digitBits * pass) & mask];
     }
   }
   scratch.resize(std::max<std::size_t>(scratch.size(), end - begin));
@@ -76,7 +84,7 @@ void sortByKey(KeyedSlot* begin, KeyedSlot* end, std::vector<KeyedSlot>& scratch
   const std::ptrdiff_t size = end - begin;
   for (int pass = 0; pass < passes; ++pass)
   {
-    countingPass(from, from + size, to, lowest, digitBits * pass, counts[pass]);
+    countingPass(from, from + size, to, lowest, digitBits * pass, mask, counts[pass]);
     std::swap(from, to);
   }
   if (from != begin)

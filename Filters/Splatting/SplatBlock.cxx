@@ -272,8 +272,10 @@ int listVectors(const std::uint32_t* home, int count, const TileSpan& span, std:
     const auto isBeside = hn::Or(
       hn::Gt(hn::And(h, mask), lastRow), hn::Lt(hn::And(hn::ShiftRight<15>(h), mask), firstRow));
     const auto isIn = hn::Or(isOne, hn::AndNot(isBeside, hn::Lt(h, hn::Set(words, -2))));
-    listed += static_cast<int>(hn::CompressStore(
-      hn::BitCast(numbers, index), hn::RebindMask(numbers, isIn), numbers, which + listed));
+    // The whole vector: a store of some lanes takes many times as long on some machines.
+    const auto found = hn::RebindMask(numbers, isIn);
+    hn::StoreU(hn::Compress(hn::BitCast(numbers, index), found), numbers, which + listed);
+    listed += static_cast<int>(hn::CountTrue(numbers, found));
   }
   for (; k < count; ++k)
   {

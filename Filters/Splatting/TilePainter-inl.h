@@ -85,7 +85,7 @@ public:
 private:
   /// Contributions that are all rounded alike drift by 2^-26 each: light moves to double after so
   /// many splats, optical depth in blocks of 8 x 8 pixels after so many absorbers that touched one.
-  static constexpr std::size_t lightMovesAfter = 128;
+  static constexpr std::size_t lightMovesAfter = 256;
   static constexpr int tauMovesAfter = 256;
   static constexpr int blockSide = 8;
   static constexpr int blocks = tileSide / blockSide;
