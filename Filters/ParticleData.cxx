@@ -154,8 +154,8 @@ RenderOptions renderOptions(vtkSplatSettings& settings)
   RenderOptions options;
   options.kernel =
     settings.GetKernel() == vtkSplatSettings::CUBIC_SPLINE ? Kernel::CubicSpline : Kernel::Gaussian;
-  options.accuracy = settings.GetAccuracy() == vtkSplatSettings::OVERLAPPING ? Accuracy::Overlapping
-                                                                             : Accuracy::Sorted;
+  options.accuracy = static_cast<Accuracy>(settings.GetAccuracy());
+  options.previewTime = settings.GetPreviewTime();
   options.slices = settings.GetSlices();
   return options;
 }
@@ -167,6 +167,20 @@ std::string describe(const RenderStatistics& statistics)
   if (statistics.invalid)
   {
     text << ", " << statistics.invalid << " invalid";
+  }
+  if (statistics.sampled)
+  {
+    text << "; a random " << statistics.sampled << " stand for all";
+  }
+  if (statistics.faint || statistics.untouched)
+  {
+    text << "; " << statistics.faint << " splats too faint to matter, " << statistics.untouched
+         << " behind what lets no light through";
+  }
+  if (statistics.bound.light > 0 || statistics.bound.share > 0)
+  {
+    text << "; off by no more than " << statistics.bound.light << " (luminosity per kpc^2) and "
+         << 100 * statistics.bound.share << " %";
   }
   if (statistics.thickest > 0)
   {

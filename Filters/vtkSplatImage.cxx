@@ -101,6 +101,8 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
     vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
     this->CameraParallelScale, this->CameraViewAngle, this->ImageSize[0], this->ImageSize[1]);
   galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
+  const double half = this->Settings->GetTolerance() / 2;
+  options.allowed = { this->White > 0 ? half * this->White : 0, half };
   options.progress = [this](double fraction) {
     this->UpdateProgress(fraction);
     return !this->GetAbortExecute();
@@ -130,6 +132,7 @@ void vtkSplatImage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CameraParallelProjection: " << this->CameraParallelProjection << "\n";
   os << indent << "CameraParallelScale: " << this->CameraParallelScale << "\n";
   os << indent << "CameraViewAngle: " << this->CameraViewAngle << "\n";
+  os << indent << "White: " << this->White << "\n";
   os << indent << "ActiveEffects: " << this->ActiveEffects << "\n";
   os << indent << "RenderStatistics: " << this->RenderStatistics << "\n";
 }

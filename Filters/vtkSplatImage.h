@@ -60,6 +60,12 @@ public:
   vtkGetMacro(CameraViewAngle, double);
   ///@}
   ///@{
+  /// The radiance that will be shown as white, luminosity per kpc^2: Tolerance is a share of it.
+  /// Default 0: not known; a pixel may then be off by Tolerance times its own light.
+  vtkSetMacro(White, double);
+  vtkGetMacro(White, double);
+  ///@}
+  ///@{
   /// See vtkSplatSettings.
   vtkForwardSplatSettingsMacro;
   ///@}
@@ -97,6 +103,7 @@ private:
   bool CameraParallelProjection = false;
   double CameraParallelScale = 1;
   double CameraViewAngle = 30;
+  double White = 0;
   vtkSmartPointer<vtkSplatSettings> Settings;
   std::string ActiveEffects;
   std::string RenderStatistics;

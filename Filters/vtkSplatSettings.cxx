@@ -101,6 +101,9 @@ void vtkSplatSettings::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Kernel: " << (this->Kernel == GAUSSIAN ? "Gaussian" : "CubicSpline") << "\n";
-  os << indent << "Accuracy: " << (this->Accuracy == SORTED ? "Sorted" : "Overlapping") << "\n";
+  const char* levels[] = { "Overlapping", "Sorted", "Bounded", "Preview" };
+  os << indent << "Accuracy: " << levels[this->Accuracy] << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "PreviewTime: " << this->PreviewTime << "\n";
   os << indent << "Slices: " << this->Slices << "\n";
 }

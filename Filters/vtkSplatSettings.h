@@ -43,12 +43,25 @@ public:
   {
     OVERLAPPING = 0,
     SORTED = 1,
+    BOUNDED = 2,
+    PREVIEW = 3,
   };
   ///@{
-  /// What is computed: Sorted (default), the paper's model, one slab a particle in strict depth
-  /// order; Overlapping, the transfer integral of particles that share their path, much slower.
-  vtkSetClampMacro(Accuracy, int, OVERLAPPING, SORTED);
+  /// What is computed: Overlapping, the transfer integral of particles that share their path, slow;
+  /// Sorted, the paper's model, one slab a particle in strict depth order; Bounded (default), the
+  /// same within Tolerance; Preview, the same of a random part of the particles.
+  vtkSetClampMacro(Accuracy, int, OVERLAPPING, PREVIEW);
   vtkGetMacro(Accuracy, int);
+  ///@}
+  ///@{
+  /// Bounded: the largest error on the display, a share of white (default 1/512, from 0 to 1).
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+  ///@{
+  /// Preview: seconds that a picture may take (default 0.1, from 0.01 to 10).
+  vtkSetClampMacro(PreviewTime, double, 0.01, 10.0);
+  vtkGetMacro(PreviewTime, double);
   ///@}
   ///@{
   /// Overlapping: slices of depth to a third of the smallest absorber's smoothing length (default
@@ -92,7 +105,9 @@ private:
   void ClearFactors(FactorMap& factors);
 
   int Kernel = GAUSSIAN;
-  int Accuracy = SORTED;
+  int Accuracy = BOUNDED;
+  double Tolerance = 1.0 / 512;
+  double PreviewTime = 0.1;
   double Slices = 4;
   FactorMap Sizes;
   FactorMap Brightnesses;
@@ -110,6 +125,14 @@ private:
   void SetAccuracy(int accuracy)                                                                   \
   {                                                                                                \
     this->Settings->SetAccuracy(accuracy);                                                         \
+  }                                                                                                \
+  void SetTolerance(double tolerance)                                                              \
+  {                                                                                                \
+    this->Settings->SetTolerance(tolerance);                                                       \
+  }                                                                                                \
+  void SetPreviewTime(double seconds)                                                              \
+  {                                                                                                \
+    this->Settings->SetPreviewTime(seconds);                                                       \
   }                                                                                                \
   void SetSlices(double slices)                                                                    \
   {                                                                                                \

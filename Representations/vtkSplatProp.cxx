@@ -1,7 +1,9 @@
 #include "vtkSplatProp.h"
 
 #include "Filters/ParticleData.h"
+#include "Filters/Splatting/Preview.h"
 #include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Tiles.h"
 #include "Filters/Splatting/ToneMap.h"
 #include "Readers/ReportErrors.h"
 #include "vtkSplatSettings.h"
@@ -18,6 +20,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTimerLog.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
@@ -146,12 +149,28 @@ struct vtkSplatProp::Picture
   galaxy::Camera camera;
   std::vector<float> opaqueDepth;
   vtkMTimeType inputTime = 0;
+  galaxy::Accuracy accuracy = galaxy::Accuracy::Bounded;
+  galaxy::ErrorBound allowed;
   galaxy::RenderedImage image;
 
-  bool isFor(const galaxy::Camera& other, const std::vector<float>& depth, vtkMTimeType time) const
+  /// Whether it serves where the options ask for a picture.
+  bool isFor(const galaxy::Camera& other, const std::vector<float>& depth, vtkMTimeType time,
+    const galaxy::RenderOptions& options) const
   {
-    return this->inputTime == time && sameCamera(this->camera, other) && this->opaqueDepth == depth;
+    const bool isGood = this->accuracy == options.accuracy &&
+      (this->accuracy != galaxy::Accuracy::Bounded ||
+        (this->allowed.light <= options.allowed.light &&
+          this->allowed.share <= options.allowed.share));
+    return isGood && this->inputTime == time && sameCamera(this->camera, other) &&
+      this->opaqueDepth == depth;
   }
+};
+
+struct vtkSplatProp::Engine
+{
+  galaxy::RenderMemory memory;
+  galaxy::Preview preview;
+  double fullSeconds = 0; ///< what the last picture of all particles took
 };
 
 struct vtkSplatProp::Canvas
@@ -252,7 +271,20 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
   const galaxy::Camera camera = cameraOf(renderer, std::max(size[0], 1), std::max(size[1], 1));
   std::vector<float> depth = opaqueDepth(renderer, camera, readDepthBuffer(renderer, size, origin));
   const vtkMTimeType time = this->InputTime();
-  if (this->LastPicture && this->LastPicture->isFor(camera, depth, time))
+  if (!this->Splatting)
+  {
+    this->Splatting = std::make_unique<Engine>();
+  }
+  galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
+  options.opaqueDepth = depth.empty() ? nullptr : depth.data();
+  options.memory = &this->Splatting->memory;
+  options.allowed = galaxy::allowedError(
+    { this->Exposure, this->Stretch, this->Gamma }, this->Settings->GetTolerance());
+  if (this->Interactive && this->Splatting->fullSeconds > options.previewTime)
+  {
+    options.accuracy = galaxy::Accuracy::Preview;
+  }
+  if (this->LastPicture && this->LastPicture->isFor(camera, depth, time, options))
   {
     return;
   }
@@ -262,10 +294,22 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
     throw std::runtime_error(input.problem);
   }
   auto picture = std::make_unique<Picture>();
-  galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
-  options.opaqueDepth = depth.empty() ? nullptr : depth.data();
-  picture->image = galaxy::render(input.view, camera, options);
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (options.accuracy == galaxy::Accuracy::Preview)
+  {
+    const vtkMTimeType version =
+      std::max(this->Particles->GetMTime(), this->ParticlesTime.GetMTime());
+    picture->image =
+      this->Splatting->preview.render(input.view, version, camera, options, options.previewTime);
+  }
+  else
+  {
+    picture->image = galaxy::render(input.view, camera, options);
+    this->Splatting->fullSeconds = vtkTimerLog::GetUniversalTime() - start;
+  }
   picture->camera = camera;
+  picture->accuracy = options.accuracy;
+  picture->allowed = options.allowed;
   picture->opaqueDepth = std::move(depth);
   picture->inputTime = time;
   this->ActiveEffects = picture->image.statistics.activeEffects;
@@ -310,6 +354,7 @@ void vtkSplatProp::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "Stretch: " << this->Stretch << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
+  os << indent << "Interactive: " << this->Interactive << "\n";
   os << indent << "ActiveEffects: " << this->ActiveEffects << "\n";
   os << indent << "RenderStatistics: " << this->RenderStatistics << "\n";
 }

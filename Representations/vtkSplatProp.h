@@ -52,6 +52,12 @@ public:
   ///@}
 
   ///@{
+  /// While the view moves, a preview of what would take longer than PreviewTime is shown.
+  vtkSetMacro(Interactive, bool);
+  vtkGetMacro(Interactive, bool);
+  ///@}
+
+  ///@{
   /// What the last picture called for and what it cost.
   const char* GetActiveEffects() { return this->ActiveEffects.c_str(); }
   const char* GetRenderStatistics() { return this->RenderStatistics.c_str(); }
@@ -80,6 +86,7 @@ private:
   double Exposure = 1;
   double Stretch = 10;
   double Gamma = 1;
+  bool Interactive = false;
   double Bounds[6];
   vtkMTimeType BoundsTime = 0;
   std::string ActiveEffects;
@@ -87,7 +94,9 @@ private:
 
   struct Picture; // what was computed last and for which camera
   struct Canvas;  // what OpenGL holds of it
+  struct Engine;  // what is kept from picture to picture
   std::unique_ptr<Picture> LastPicture;
+  std::unique_ptr<Engine> Splatting;
   std::unique_ptr<Canvas> GLCanvas;
 };
 

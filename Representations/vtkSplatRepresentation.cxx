@@ -56,6 +56,8 @@ int vtkSplatRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
+    // ParaView asks for less detail while the view of large data moves.
+    this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
     this->Prop->SetParticles(vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this)));
   }
   return 1;

@@ -28,6 +28,7 @@ enum class RandomStream : std::uint32_t
   ClusterStar,
   SpheroidVelocity,
   FractalNoise,
+  Preview,
 };
 
 /// What all random numbers of one component share.

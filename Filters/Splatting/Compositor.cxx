@@ -4,8 +4,11 @@
 #include "Filters/Splatting/Tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <omp.h>
@@ -14,6 +17,94 @@ namespace galaxy
 {
 namespace
 {
+/// What splats are in sum, by the binary exponent of their numbers: so that the smallest of them
+/// are found whose sum is small.
+class SumsBySize
+{
+public:
+  void add(float x)
+  {
+    this->sums[exponentOf(x)] += x;
+    this->all += x;
+  }
+  double total() const { return this->all; }
+  /// The smallest numbers whose sum is no more than this: all below the threshold returned. `sum`
+  /// becomes theirs.
+  float smallest(double most, double& sum) const
+  {
+    sum = 0;
+    int exponent = 0;
+    for (; exponent < exponents && sum + this->sums[exponent] <= most; ++exponent)
+    {
+      sum += this->sums[exponent];
+    }
+    return exponent == 0 ? 0 : exponent < exponents ? std::ldexp(1.0F, exponent - 127) : infinity;
+  }
+
+private:
+  static constexpr int exponents = 255;
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  static int exponentOf(float x)
+  {
+    std::uint32_t bits;
+    std::memcpy(&bits, &x, sizeof(bits));
+    return std::min<int>(bits >> 23 & 0xff, exponents - 1);
+  }
+
+  std::array<double, exponents> sums = {};
+  double all = 0;
+};
+
+/// The most of a splat's light, or optical depth, that a pixel can have.
+float mostOfAPixel(Kernel kernel, float h)
+{
+  return std::min(1.0F, (kernel == Kernel::Gaussian ? 2.869F : 2.0F) / (h * h));
+}
+
+/// What the splats of a tile are in sum.
+struct TileSummary
+{
+  TileAbsorption absorption = TileAbsorption::None;
+  float brightest = 0;   ///< the largest luminosity of one over a pixel's area
+  float thickest = 0;    ///< the largest optical depth of one in a pixel
+  SumsBySize light, tau; ///< over a pixel that all of them have in their middle
+
+  template <bool sums>
+  void add(const Splat& splat, const SlabLight& slab, Kernel kernel)
+  {
+    const float* e = slab.e;
+    const float* t = slab.t;
+    const float most = std::max({ e[0], e[1], e[2] });
+    this->brightest = std::max(this->brightest, most);
+    if (sums)
+    {
+      this->light.add(most * mostOfAPixel(kernel, splat.h));
+    }
+    if (splat.kind() != SplatKind::Emits)
+    {
+      const bool isGrey = t[0] == t[1] && t[1] == t[2];
+      this->absorption =
+        std::max(this->absorption, isGrey ? TileAbsorption::Grey : TileAbsorption::Color);
+      const float depth = std::max({ t[0], t[1], t[2] }) * mostOfAPixel(kernel, splat.h);
+      this->thickest = std::max(this->thickest, depth);
+      if (sums)
+      {
+        this->tau.add(depth);
+      }
+    }
+  }
+};
+
+/// What a picture leaves out of a tile.
+struct Omission
+{
+  float light = 0;       ///< emitters fainter than this
+  float tau = 0;         ///< absorbers thinner than this
+  bool isOrdered = true; ///< whether the others' order matters
+  ErrorBound bound;      ///< on the error
+  std::size_t splats = 0;
+};
+
 /// One thread's memory, kept from tile to tile.
 struct Workspace
 {
@@ -22,41 +113,21 @@ struct Workspace
   TileSums sums;
   double seconds[2] = { 0, 0 }; ///< sort, composite
   float thickest = 0;
-};
-
-/// What the splats of a tile are in sum.
-struct TileSummary
-{
-  TileAbsorption absorption = TileAbsorption::None;
-  float brightest = 0; ///< the largest luminosity of one over a pixel's area
-  float thickest = 0;  ///< the largest optical depth of one
-
-  void add(const Splat& splat, const SlabLight& light)
-  {
-    const auto [e, t] = std::pair(light.e, light.t);
-    this->brightest = std::max({ this->brightest, e[0], e[1], e[2] });
-    if (splat.kind() == SplatKind::Emits)
-    {
-      return;
-    }
-    const bool isGrey = t[0] == t[1] && t[1] == t[2];
-    this->absorption =
-      std::max(this->absorption, isGrey ? TileAbsorption::Grey : TileAbsorption::Color);
-    // Through the middle of a Gaussian, or over the pixel that holds a small one.
-    const float inPixel = std::min(1.0F, 2.865F / (splat.h * splat.h));
-    this->thickest = std::max(this->thickest, std::max({ t[0], t[1], t[2] }) * inPixel);
-  }
+  std::size_t untouched = 0, faint = 0, unordered = 0;
+  ErrorBound bound;
 };
 
 /// One rendering.
 class Compositor
 {
 public:
-  Compositor(const ParticleView& particles, const Camera& camera_, const RenderOptions& options_)
+  Compositor(const ParticleView& particles, const Camera& camera_, const RenderOptions& options_,
+    const ErrorBound& allowed)
     : projection(particles, camera_)
     , camera(camera_)
     , grid(camera_.width, camera_.height)
     , options(options_)
+    , allowed(allowed)
   {
   }
   RenderedImage render();
@@ -66,6 +137,11 @@ private:
   void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
   void renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image);
   TileTask taskOf(const TileBand& band, int tile, Workspace& work) const;
+  template <bool sums>
+  TileSummary summaryOf(const TileTask& task) const;
+  Omission omissionOf(const TileSummary& summary) const;
+  bool omits(const Omission& omission, const Splat& splat) const;
+  void order(TileTask& task, const Omission& omission, Workspace& work) const;
   bool proceed(std::size_t more);
   void loadOpaque(int tile, const TileTask& task, TileSums& sums) const;
   void store(int tile, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
@@ -74,10 +150,12 @@ private:
   Camera camera;
   TileGrid grid;
   const RenderOptions& options;
+  ErrorBound allowed;
   ProjectionCounts counts;
   std::size_t splats = 0; ///< of all tiles
   std::atomic<std::size_t> done{ 0 };
-  std::atomic<std::size_t> untouched{ 0 };
+  std::size_t untouched = 0, faint = 0, unordered = 0;
+  ErrorBound bound;
   float thickest = 0;
   std::atomic<bool> aborted{ false };
   double seconds[4] = { 0, 0, 0, 0 }; ///< count, project, sort, composite
@@ -93,6 +171,9 @@ RenderedImage Compositor::render()
   finishPicture(this->counts, this->aborted, image);
   image.statistics.untouched = this->untouched;
   image.statistics.thickest = this->thickest;
+  image.statistics.faint = this->faint;
+  image.statistics.unordered = this->unordered;
+  image.statistics.bound = this->bound;
   const char* names[] = { "count", "project", "sort", "composite" };
   for (int stage = 0; stage < 4; ++stage)
   {
@@ -160,6 +241,11 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
         seconds[stage] += work->seconds[stage];
       }
       this->thickest = std::max(this->thickest, work->thickest);
+      this->untouched += work->untouched;
+      this->faint += work->faint;
+      this->unordered += work->unordered;
+      this->bound.light = std::max(this->bound.light, work->bound.light);
+      this->bound.share = std::max(this->bound.share, work->bound.share);
     }
   }
   // Threads' times are shared out so that the stages add up to what the clock on the wall says.
@@ -177,30 +263,90 @@ TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) con
   task.count = band.first[k + 1] - band.first[k];
   task.kernel = this->options.kernel;
   task.hasOpaque = this->options.opaqueDepth != nullptr;
-  task.negligible = static_cast<float>(this->options.negligible);
   task.projection = &this->projection;
+  const bool isBounded = this->allowed.light > 0 || this->allowed.share > 0;
+  const TileSummary summary =
+    isBounded ? this->summaryOf<true>(task) : this->summaryOf<false>(task);
+  task.absorption = summary.absorption;
+  task.brightest = summary.brightest;
+  task.negligible = static_cast<float>(this->allowed.light / 2);
+  task.opaque = static_cast<float>(this->allowed.share / 2);
+  work.thickest = std::max(work.thickest, summary.thickest);
+  const Omission omission = isBounded ? this->omissionOf(summary) : Omission();
+  const bool isOrdered = summary.absorption != TileAbsorption::None && omission.isOrdered;
+  if (isOrdered || omission.light > 0 || omission.tau > 0)
+  {
+    this->order(task, omission, work);
+  }
+  if (isOrdered)
+  {
+    sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
+  }
+  work.unordered += summary.absorption != TileAbsorption::None && !isOrdered;
+  work.bound.light = std::max(work.bound.light, omission.bound.light);
+  work.bound.share = std::max(work.bound.share, omission.bound.share);
+  return task;
+}
+
+template <bool sums>
+TileSummary Compositor::summaryOf(const TileTask& task) const
+{
   TileSummary summary;
   for (std::size_t slot = 0; slot < task.count; ++slot)
   {
-    summary.add(task.splats[slot], this->projection.lightOf(task.splats[slot]));
+    const Splat& splat = task.splats[slot];
+    summary.add<sums>(splat, this->projection.lightOf(splat), this->options.kernel);
   }
-  task.absorption = summary.absorption;
-  task.brightest = summary.brightest;
-  work.thickest = std::max(work.thickest, summary.thickest);
-  if (task.absorption != TileAbsorption::None)
+  return summary;
+}
+
+/// Half of what is allowed is for the faintest splats, half for what their order, or what lies
+/// behind them, would change.
+Omission Compositor::omissionOf(const TileSummary& summary) const
+{
+  Omission omission;
+  omission.light = summary.light.smallest(this->allowed.light / 2, omission.bound.light);
+  // Dimmed by e^-tau too little, light is too much by the share e^tau - 1.
+  const double mostTau = std::log1p(this->allowed.share / 2) / 2;
+  double thin = 0;
+  omission.tau = summary.tau.smallest(mostTau, thin);
+  const double rest = summary.tau.total() - thin;
+  omission.isOrdered = rest > mostTau;
+  omission.bound.share = std::expm1(thin + (omission.isOrdered ? 0 : rest));
+  if (rest > 0)
   {
-    work.order.resize(task.count);
-    // Of equal depths the particle that comes first lies behind.
-    for (std::size_t k = 0; k < task.count; ++k)
-    {
-      const std::size_t slot = task.count - 1 - k;
-      work.order[k] =
-        keyedSlot(nearFirstKey(task.splats[slot].depth), static_cast<std::uint32_t>(slot));
-    }
-    sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
-    task.order = work.order.data();
+    // Where drawing may end behind dust.
+    omission.bound.light += this->allowed.light / 2;
+    omission.bound.share += this->allowed.share / 2;
   }
-  return task;
+  return omission;
+}
+
+/// Lists the splats that are not left out, ready to be sorted.
+void Compositor::order(TileTask& task, const Omission& omission, Workspace& work) const
+{
+  work.order.resize(task.count);
+  std::size_t listed = 0;
+  const bool omits = omission.light > 0 || omission.tau > 0;
+  // Of equal depths the particle that comes first lies behind.
+  for (std::size_t slot = task.count; slot-- > 0;)
+  {
+    const Splat& splat = task.splats[slot];
+    work.order[listed] = keyedSlot(nearFirstKey(splat.depth), static_cast<std::uint32_t>(slot));
+    listed += !omits || !this->omits(omission, splat);
+  }
+  work.faint += task.count - listed;
+  task.count = listed;
+  task.order = work.order.data();
+}
+
+bool Compositor::omits(const Omission& omission, const Splat& splat) const
+{
+  const SlabLight slab = this->projection.lightOf(splat);
+  const float most = mostOfAPixel(this->options.kernel, splat.h);
+  return std::max({ slab.e[0], slab.e[1], slab.e[2] }) * most < omission.light &&
+    (splat.kind() == SplatKind::Emits ||
+      std::max({ slab.t[0], slab.t[1], slab.t[2] }) * most < omission.tau);
 }
 
 void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image)
@@ -214,7 +360,7 @@ void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, Ren
   {
     this->loadOpaque(tile, task, work.sums);
   }
-  this->untouched += task.count - compositeTile(task, work.sums);
+  work.untouched += task.count - compositeTile(task, work.sums);
   this->store(tile, task, work.sums, image);
   work.seconds[0] += sorted - start;
   work.seconds[1] += omp_get_wtime() - sorted;
@@ -263,6 +409,12 @@ void Compositor::store(
 RenderedImage renderSorted(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
-  return Compositor(particles, camera, options).render();
+  return Compositor(particles, camera, options, {}).render();
+}
+
+RenderedImage renderBounded(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options)
+{
+  return Compositor(particles, camera, options, options.allowed).render();
 }
 } // namespace galaxy

@@ -60,6 +60,16 @@ Projection::Projection(const ParticleView& particles_, const Camera& camera_)
       factors.absorption[c] = static_cast<float>(info.brightness * info.absorption[c]);
     }
   }
+  const auto weight = static_cast<float>(this->particles.weight);
+  for (Factors& factors : this->table)
+  {
+    factors.brightness *= weight;
+    factors.emission *= weight;
+    for (float& absorption : factors.absorption)
+    {
+      absorption *= weight;
+    }
+  }
   for (std::size_t k = 0; k < shown; ++k)
   {
     this->table[k].visible = (*this->particles.visible)[k];

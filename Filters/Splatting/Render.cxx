@@ -1,4 +1,5 @@
 #include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Preview.h"
 
 namespace galaxy
 {
@@ -9,6 +10,10 @@ RenderedImage render(
   {
     case Accuracy::Overlapping:
       return renderOverlapping(particles, camera, options);
+    case Accuracy::Bounded:
+      return renderBounded(particles, camera, options);
+    case Accuracy::Preview:
+      return Preview().render(particles, 0, camera, options, options.previewTime);
     case Accuracy::Sorted:
       break;
   }

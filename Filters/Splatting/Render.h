@@ -36,15 +36,27 @@ struct ParticleView
   const float* absorption = nullptr;       ///< absorptionChannels x N: cross-section, kpc^2
   int emissionChannels = 3;                ///< 1 (grey) or 3
   int absorptionChannels = 3;              ///< 1 (grey) or 3
+  double weight = 1; ///< how many particles like itself each of them stands for
   const std::vector<ComponentInfo>* components = nullptr; ///< null: one emitting component
   const std::vector<bool>* visible = nullptr;             ///< per component; null: all
 };
 
-/// What is computed of the optical model.
+/// What is computed of the optical model, from the most to the least.
 enum class Accuracy
 {
   Overlapping, ///< overlapping particles share their path: the transfer integral by depth slices
   Sorted,      ///< one slab a particle, in strict order of the centres
+  Bounded,     ///< the same within an error that the options allow
+  Preview,     ///< the same of a random part of the particles
+};
+
+/// How far a picture may be from another, in every pixel and channel: its light by no more than
+/// `light` and the share `share` of the light there together, its transmittance by no more than
+/// `share`.
+struct ErrorBound
+{
+  double light = 0; ///< luminosity per kpc^2
+  double share = 0; ///< a small number
 };
 
 struct RenderMemory;
@@ -57,9 +69,8 @@ struct RenderOptions
   /// Overlapping: slices to the sigma (a third of the smoothing length) of the smallest absorber
   /// in a tile; the error falls with their square.
   double slices = 4;
-  /// What is fainter over a whole pixel is never seen, luminosity per kpc^2: behind dust, drawing
-  /// ends where no more can come. 0: it ends where exactly nothing comes.
-  double negligible = 0;
+  ErrorBound allowed;       ///< Bounded: both errors may come together
+  double previewTime = 0.1; ///< Preview: seconds
   /// Per pixel, the distance (perspective) or depth (parallel) in kpc of opaque geometry; what
   /// lies behind it is not seen. Null: nothing opaque.
   const float* opaqueDepth = nullptr;
@@ -77,8 +88,12 @@ struct RenderStatistics
   std::size_t culled = 0;    ///< off the image, behind the camera, hidden or without effect
   std::size_t invalid = 0;   ///< NaN, infinite or negative where that has no meaning
   std::size_t absorbers = 0; ///< of those drawn
+  std::size_t sampled = 0;   ///< particles that were to stand for all (Preview)
   std::size_t untouched = 0; ///< splats in tiles behind what lets no light through
-  double thickest = 0;       ///< the largest optical depth of one particle (Sorted)
+  std::size_t faint = 0;     ///< splats left out as too faint to matter (Bounded)
+  std::size_t unordered = 0; ///< tiles whose absorbers are too thin for their order to matter
+  ErrorBound bound;          ///< on the error of what was left out (Bounded)
+  double thickest = 0;       ///< the largest optical depth of one particle
   std::size_t coarse = 0;    ///< tiles with fewer slices than asked for (Overlapping)
   std::vector<std::pair<std::string, double>> seconds; ///< by stage
   std::string activeEffects;                           ///< what the scene called for, in words
@@ -104,6 +119,14 @@ RenderedImage render(
 /// distance (parallel projection: depth; ties by index), every particle and channel, by the update
 /// I <- I exp(-t) + e phi(t). Identical for any number of threads.
 RenderedImage renderSorted(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
+
+/// Accuracy level `Bounded`: renderSorted's picture within `options.allowed`, proven tile by tile
+/// from the sums of what is left out: the faintest emitters, which all over one pixel have no more
+/// than half of `allowed.light`; what lies behind dust, where it lets no more than the other half
+/// through; the thinnest absorbers, and the order of the others where they are thin, which together
+/// change light by no more than half of `allowed.share`.
+RenderedImage renderBounded(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
 
 /// Accuracy level `Overlapping`: particles that overlap share their path. With rho the particles'

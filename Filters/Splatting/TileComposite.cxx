@@ -45,7 +45,7 @@ HWY_EXPORT(paintTile);
 
 std::size_t compositeTile(const TileTask& task, TileSums& sums)
 {
-  return HWY_DYNAMIC_DISPATCH(paintTile)(task, sums);
+  return task.count > 0 ? HWY_DYNAMIC_DISPATCH(paintTile)(task, sums) : 0;
 }
 } // namespace galaxy
 #endif

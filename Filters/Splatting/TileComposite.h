@@ -24,8 +24,10 @@ struct TileTask
   bool hasOpaque = false;
   /// No splat's light over a pixel is more than this in any channel, luminosity per kpc^2.
   float brightest = 0;
-  /// Where what is left cannot add as much, it is left away, luminosity per kpc^2.
+  /// What is left is left away where it cannot add more, luminosity per kpc^2, and no more than
+  /// such a transmittance is left.
   float negligible = 0;
+  float opaque = 0;
   const Projection* projection = nullptr; ///< that knows the light of slabs
 };
 

@@ -408,7 +408,8 @@ private:
           std::max(most, *std::max_element(row + this->task.pixels.x0, row + this->task.pixels.x1));
       }
     }
-    return most * this->task.brightest * static_cast<float>(rest) <= this->task.negligible;
+    return most <= this->task.opaque &&
+      most * this->task.brightest * static_cast<float>(rest) <= this->task.negligible;
   }
 
   const TileTask& task;

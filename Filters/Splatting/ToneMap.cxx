@@ -22,6 +22,20 @@ double stretched(double x, double Q)
 }
 } // namespace
 
+ErrorBound allowedError(const ToneMap& map, double tolerance)
+{
+  const double half = tolerance / 2;
+  // x^(1/gamma) with gamma > 1 is concave: its steepest rise is from 0.
+  const double value = map.gamma > 1 ? std::pow(half, map.gamma) : half * map.gamma;
+  // Before it, a channel is its light l times S(m)/m, m the mean of the three, and divided by the
+  // brightest if that is above 1. With all three off by d, and since S is concave and l <= 3 m, it
+  // changes by no more than S'(0) d + 3 (S/m - S') d <= 4 S'(0) d; by no more than 2 r of itself if
+  // they are off by a share r. Dividing makes it twice that.
+  const double slope = map.stretch > 0 ? map.stretch / std::asinh(map.stretch) : 1;
+  const double light = value / (8 * slope * std::max(map.exposure, 1e-30));
+  return { light, half * std::min(1.0, map.gamma) / 4 };
+}
+
 void applyToneMap(const ToneMap& map, const float* radiance, float* display, std::size_t count)
 {
   const std::ptrdiff_t pixels = static_cast<std::ptrdiff_t>(count);

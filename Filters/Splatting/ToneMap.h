@@ -1,6 +1,8 @@
 #ifndef galaxy_ToneMap_h
 #define galaxy_ToneMap_h
 
+#include "Filters/Splatting/Render.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -14,6 +16,10 @@ struct ToneMap
   double stretch = 10; ///< softening Q: mean light x becomes asinh(Q x)/asinh(Q); 0 is linear
   double gamma = 1;    ///< displayed value is (stretched value)^(1/gamma)
 };
+
+/// What error of the radiance is never seen: whichever way a picture is off by so much, no channel
+/// of the display changes by more than `tolerance` (of white). Half of that is for either part.
+ErrorBound allowedError(const ToneMap& map, double tolerance);
 
 /// `count` RGB pixels of radiance to display values in [0, 1].
 void applyToneMap(const ToneMap& map, const float* radiance, float* display, std::size_t count);

@@ -1,5 +1,5 @@
 #include "Filters/Splatting/CubicSpline.h"
-#include "Filters/Splatting/ErfPolynomial.h"
+#include "Filters/Splatting/GaussianKernel.h"
 #include "Filters/Splatting/OpticalModel.h"
 
 #include <gtest/gtest.h>
@@ -52,17 +52,41 @@ TEST(OpticalModel, TwoHalvesMakeOneSlab)
   }
 }
 
-TEST(OpticalModel, ErfPolynomialIsAccurate)
+TEST(OpticalModel, GaussianSharesAreTheIntegralOfTheKernel)
 {
-  const double end = ErfPolynomial::end;
+  // exp(-s^2) - exp(-9) from -3 to 3, by Simpson's rule.
+  const auto integral = [](double from, double to) {
+    constexpr int n = 200;
+    const double step = (to - from) / n;
+    double sum = 0;
+    for (int k = 0; k <= n; ++k)
+    {
+      const double s = from + k * step;
+      sum += (k % n == 0 ? 1 : k % 2 ? 4 : 2) * (std::exp(-s * s) - std::exp(-9.0));
+    }
+    return sum * step / 3;
+  };
+  const double all = integral(-3, 3);
+  for (double s = -3; s <= 3; s += 0.1)
+  {
+    EXPECT_NEAR(gaussianCumulative(s), integral(0, s) / all, 1e-8) << s;
+  }
+  EXPECT_EQ(gaussianCumulative(3), 0.5);
+  EXPECT_EQ(gaussianCumulative(1e30), 0.5);
+  EXPECT_EQ(gaussianCumulative(-1e30), -0.5);
+}
+
+TEST(OpticalModel, GaussianPolynomialIsAccurate)
+{
+  const double end = GaussianPolynomial::end;
   for (double u = 0; u <= end; u += 0.003)
   {
     double sum = 0;
-    for (int k = ErfPolynomial::degree; k >= 0; --k)
+    for (int k = GaussianPolynomial::degree; k >= 0; --k)
     {
-      sum = sum * (2 * u * u / (end * end) - 1) + erfPolynomial.coefficients[k];
+      sum = sum * (2 * u * u / (end * end) - 1) + gaussianPolynomial.coefficients[k];
     }
-    EXPECT_NEAR(u * sum, std::erf(u), 2e-7) << u;
+    EXPECT_NEAR(u * sum, gaussianCumulative(u), 2e-7) << u;
   }
 }
 

@@ -1,0 +1,118 @@
+#include "Filters/Splatting/Preview.h"
+
+#include "Filters/Model/Random.h"
+
+#include <algorithm>
+#include <omp.h>
+
+namespace galaxy
+{
+namespace
+{
+/// `width` numbers of each of the particles listed; none if there is no array.
+template <typename T>
+std::vector<T> pick(const T* values, std::size_t width, const std::vector<std::uint32_t>& which)
+{
+  std::vector<T> picked;
+  if (values)
+  {
+    picked.resize(width * which.size());
+    for (std::size_t k = 0; k < which.size(); ++k)
+    {
+      std::copy_n(values + width * which[k], width, &picked[width * k]);
+    }
+  }
+  return picked;
+}
+
+template <typename T>
+const T* dataOf(const std::vector<T>& values)
+{
+  return values.empty() ? nullptr : values.data();
+}
+
+/// So many different numbers below `size` in random order, every such list with the same chance.
+std::vector<std::uint32_t> drawFrom(std::size_t size, std::size_t count)
+{
+  Random random({}, RandomStream::Preview, 0);
+  const auto below = [&random](std::size_t end) {
+    return std::min(static_cast<std::size_t>(random.uniform() * double(end)), end - 1);
+  };
+  std::vector<std::uint32_t> drawn;
+  drawn.reserve(count);
+  // One after the other is taken with the chance that is left for it (Fan et al. 1962).
+  for (std::size_t i = 0; drawn.size() < count; ++i)
+  {
+    if (below(size - i) < count - drawn.size())
+    {
+      drawn.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  for (std::size_t k = count; k > 1; --k)
+  {
+    std::swap(drawn[k - 1], drawn[below(k)]);
+  }
+  return drawn;
+}
+} // namespace
+
+PreviewSample::PreviewSample(const ParticleView& particles, std::size_t most)
+  : of(particles.size)
+{
+  const std::vector<std::uint32_t> which = drawFrom(this->of, std::min(most, this->of));
+  this->position = pick(particles.position, 3, which);
+  this->smoothingLength = pick(particles.smoothingLength, 1, which);
+  this->intensity = pick(particles.intensity, 1, which);
+  this->color = pick(particles.color, 3, which);
+  this->component = pick(particles.component, 1, which);
+  this->emission = pick(particles.emission, particles.emissionChannels == 1 ? 1 : 3, which);
+  this->absorption = pick(particles.absorption, particles.absorptionChannels == 1 ? 1 : 3, which);
+}
+
+ParticleView PreviewSample::first(std::size_t count, const ParticleView& like) const
+{
+  ParticleView view = like;
+  view.size = std::min(count, this->size());
+  view.weight = view.size > 0 ? double(this->of) / double(view.size) : 1;
+  view.position = dataOf(this->position);
+  view.smoothingLength = dataOf(this->smoothingLength);
+  view.intensity = dataOf(this->intensity);
+  view.color = dataOf(this->color);
+  view.component = dataOf(this->component);
+  view.emission = dataOf(this->emission);
+  view.absorption = dataOf(this->absorption);
+  return view;
+}
+
+RenderedImage Preview::render(const ParticleView& particles, std::uint64_t version_,
+  const Camera& camera, const RenderOptions& options, double seconds)
+{
+  if (!this->sample || this->version != version_)
+  {
+    this->sample = std::make_unique<PreviewSample>(particles);
+    this->version = version_;
+  }
+  constexpr double fewest = 20000;
+  RenderOptions sorted = options;
+  sorted.accuracy = Accuracy::Sorted;
+  const double start = omp_get_wtime();
+  for (;;)
+  {
+    const double left = seconds - (omp_get_wtime() - start);
+    const double count = std::max(fewest, 0.8 * this->rate * left);
+    const ParticleView view = this->sample->first(static_cast<std::size_t>(count), particles);
+    const double before = omp_get_wtime();
+    RenderedImage image = renderSorted(view, camera, sorted);
+    const double now = omp_get_wtime();
+    const bool isFirst = this->rate == 0;
+    this->rate = double(view.size) / std::max(1e-4, now - before);
+    // The first one may be too small by far; any other took as long as it should.
+    if (!isFirst || image.aborted || view.size == this->sample->size() ||
+      now - start > 0.3 * seconds)
+    {
+      image.statistics.sampled = view.size;
+      return image;
+    }
+  }
+}
+} // namespace galaxy
