@@ -71,11 +71,17 @@ struct Seen
     const W dy = coordinate(p.y, c.eye.y);
     const W dz = coordinate(p.z, c.eye.z);
     const W r = hn::PromoteTo(wide, hn::LoadU(half, p.radius + k));
+    const auto sizeOf = [](W x, W y, W z) {
+      return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z)));
+    };
+    // NaN is not less than anything.
+    const W far = hn::Set(wide, 1e30);
+    const W size = sizeOf(coordinate(p.x, 0), coordinate(p.y, 0), coordinate(p.z, 0));
+    this->isSane = hn::And(hn::Lt(hn::Add(size, r), far), hn::Ge(r, hn::Zero(wide)));
+    const auto isSeen = hn::And(this->isSane, hn::Lt(sizeOf(dx, dy, dz), far));
     this->right = sumOfProducts(dx, c.right.x, dy, c.right.y, dz, c.right.z);
     this->up = sumOfProducts(dx, c.up.x, dy, c.up.y, dz, c.up.z);
     this->forward = sumOfProducts(dx, c.forward.x, dy, c.forward.y, dz, c.forward.z);
-    const W size = hn::Add(hn::Add(hn::Abs(dx), hn::Abs(dy)), hn::Add(hn::Abs(dz), r));
-    this->isSane = hn::And(hn::Lt(size, hn::Set(wide, 1e30)), hn::Ge(r, hn::Zero(wide)));
     const auto isBefore = hn::Gt(this->forward, hn::Zero(wide));
     const W scale = hn::Set(wide, c.scale);
     this->ratio = c.parallel
@@ -83,7 +89,9 @@ struct Seen
       : hn::Div(scale, hn::IfThenElse(isBefore, this->forward, hn::Set(wide, 1.0)));
     this->x = hn::MulAdd(this->ratio, this->right, hn::Set(wide, c.centerX + grid.left));
     this->y = hn::MulAdd(this->ratio, this->up, hn::Set(wide, c.centerY + grid.bottom));
-    const auto isShown = c.parallel ? this->isSane : hn::And(this->isSane, isBefore);
+    const auto isShown = c.parallel ? isSeen : hn::And(isSeen, isBefore);
+    this->x = hn::IfThenElseZero(isShown, this->x);
+    this->y = hn::IfThenElseZero(isShown, this->y);
     this->h = hn::IfThenElse(isShown, hn::Mul(this->ratio, r), hn::Set(wide, -1e300));
   }
 };
