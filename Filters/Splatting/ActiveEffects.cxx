@@ -22,7 +22,15 @@ std::string shortCount(std::size_t count)
   return text;
 }
 
-std::string activeEffects(const ProjectionCounts& counts)
+OrderNeeds& OrderNeeds::operator+=(const OrderNeeds& other)
+{
+  this->ordered += other.ordered;
+  this->oneSource += other.oneSource;
+  this->thin += other.thin;
+  return *this;
+}
+
+std::string activeEffects(const ProjectionCounts& counts, const OrderNeeds& tiles)
 {
   if (counts.drawn == 0)
   {
@@ -34,10 +42,20 @@ std::string activeEffects(const ProjectionCounts& counts)
     return text + "no absorber, no sort";
   }
   text += counts.colored > 0 ? "per-channel absorption; " : "grey absorption; ";
+  if (tiles.ordered == 0)
+  {
+    return text +
+      (tiles.oneSource > 0 ? "one source function, no sort" : "too thin for an order, no sort");
+  }
   text += "depth order among " + shortCount(counts.absorbers) + " absorbers";
   if (const std::size_t others = counts.drawn - counts.absorbers; others > 0)
   {
     text += " and " + shortCount(others) + " emitters";
+  }
+  if (const std::size_t rest = tiles.oneSource + tiles.thin; rest > 0)
+  {
+    text += "; none in " + shortCount(rest) + " of " + shortCount(rest + tiles.ordered) +
+      " tiles with absorbers";
   }
   return text;
 }

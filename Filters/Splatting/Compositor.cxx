@@ -61,10 +61,37 @@ float mostOfAPixel(Kernel kernel, float h)
   return std::min(1.0F, (kernel == Kernel::Gaussian ? 2.869F : 2.0F) / (h * h));
 }
 
+/// Whether all splats emit in proportion to their absorption, channel by channel, as absorbers
+/// alone do: their light is then S (1 - e^-tau), whatever their order.
+class OneSource
+{
+public:
+  bool holds() const { return this->isOne; }
+  double source(int channel) const { return std::max(0.0, this->S[channel]); }
+
+  void add(const SlabLight& slab)
+  {
+    for (int c = 0; c < 3 && this->isOne; ++c)
+    {
+      if (slab.t[c] > 0 && this->S[c] < 0)
+      {
+        this->S[c] = double(slab.e[c]) / slab.t[c];
+      }
+      // Products that were rounded to float.
+      this->isOne = std::abs(slab.e[c] - this->source(c) * slab.t[c]) <= 5e-7 * slab.e[c];
+    }
+  }
+
+private:
+  bool isOne = true;
+  double S[3] = { -1, -1, -1 }; ///< negative: not known yet
+};
+
 /// What the splats of a tile are in sum.
 struct TileSummary
 {
   TileAbsorption absorption = TileAbsorption::None;
+  OneSource source;
   float brightest = 0;   ///< the largest luminosity of one over a pixel's area
   float thickest = 0;    ///< the largest optical depth of one in a pixel
   SumsBySize light, tau; ///< over a pixel that all of them have in their middle
@@ -76,6 +103,10 @@ struct TileSummary
     const float* t = slab.t;
     const float most = std::max({ e[0], e[1], e[2] });
     this->brightest = std::max(this->brightest, most);
+    if (this->source.holds())
+    {
+      this->source.add(slab);
+    }
     if (sums)
     {
       this->light.add(most * mostOfAPixel(kernel, splat.h));
@@ -113,7 +144,8 @@ struct Workspace
   TileSums sums;
   double seconds[2] = { 0, 0 }; ///< sort, composite
   float thickest = 0;
-  std::size_t untouched = 0, faint = 0, unordered = 0;
+  std::size_t untouched = 0, faint = 0;
+  OrderNeeds tiles;
   ErrorBound bound;
 };
 
@@ -154,7 +186,8 @@ private:
   ProjectionCounts counts;
   std::size_t splats = 0; ///< of all tiles
   std::atomic<std::size_t> done{ 0 };
-  std::size_t untouched = 0, faint = 0, unordered = 0;
+  std::size_t untouched = 0, faint = 0;
+  OrderNeeds tiles;
   ErrorBound bound;
   float thickest = 0;
   std::atomic<bool> aborted{ false };
@@ -168,11 +201,11 @@ RenderedImage Compositor::render()
   {
     this->renderBands(image);
   }
-  finishPicture(this->counts, this->aborted, image);
+  finishPicture(this->counts, this->tiles, this->aborted, image);
   image.statistics.untouched = this->untouched;
   image.statistics.thickest = this->thickest;
   image.statistics.faint = this->faint;
-  image.statistics.unordered = this->unordered;
+  image.statistics.unordered = this->tiles.thin + this->tiles.oneSource;
   image.statistics.bound = this->bound;
   const char* names[] = { "count", "project", "sort", "composite" };
   for (int stage = 0; stage < 4; ++stage)
@@ -243,7 +276,7 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
       this->thickest = std::max(this->thickest, work->thickest);
       this->untouched += work->untouched;
       this->faint += work->faint;
-      this->unordered += work->unordered;
+      this->tiles += work->tiles;
       this->bound.light = std::max(this->bound.light, work->bound.light);
       this->bound.share = std::max(this->bound.share, work->bound.share);
     }
@@ -273,7 +306,9 @@ TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) con
   task.opaque = static_cast<float>(this->allowed.share / 2);
   work.thickest = std::max(work.thickest, summary.thickest);
   const Omission omission = isBounded ? this->omissionOf(summary) : Omission();
-  const bool isOrdered = summary.absorption != TileAbsorption::None && omission.isOrdered;
+  const bool absorbs = summary.absorption != TileAbsorption::None;
+  task.isOneSource = absorbs && summary.source.holds();
+  const bool isOrdered = absorbs && omission.isOrdered && !task.isOneSource;
   if (isOrdered || omission.light > 0 || omission.tau > 0)
   {
     this->order(task, omission, work);
@@ -282,7 +317,13 @@ TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) con
   {
     sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
   }
-  work.unordered += summary.absorption != TileAbsorption::None && !isOrdered;
+  for (int c = 0; c < 3; ++c)
+  {
+    task.source[c] = summary.source.source(c);
+  }
+  work.tiles.ordered += isOrdered;
+  work.tiles.oneSource += task.isOneSource;
+  work.tiles.thin += absorbs && !isOrdered && !task.isOneSource;
   work.bound.light = std::max(work.bound.light, omission.bound.light);
   work.bound.share = std::max(work.bound.share, omission.bound.share);
   return task;
@@ -355,7 +396,7 @@ void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, Ren
   TileTask task = this->taskOf(band, tile, work);
   task.pixels = this->grid.pixelsOf(tile);
   const double sorted = omp_get_wtime();
-  work.sums.clear(task.absorption);
+  work.sums.clear(task.isOneSource ? TileAbsorption::None : task.absorption);
   if (task.hasOpaque)
   {
     this->loadOpaque(tile, task, work.sums);
@@ -391,6 +432,13 @@ void Compositor::store(
       {
         const std::size_t k = 3 * (first + x - box.x0) + c;
         const double light = sums.light.values[c][y][x];
+        if (task.isOneSource)
+        {
+          // What was added up are the optical depths.
+          image.radiance[k] = static_cast<float>(-task.source[c] * std::expm1(-light));
+          image.transmittance[k] = static_cast<float>(std::exp(-light));
+          continue;
+        }
         if (task.absorption == TileAbsorption::None)
         {
           image.radiance[k] = static_cast<float>(light);

@@ -287,7 +287,7 @@ RenderedImage renderOverlapping(
       }
     }
   }
-  finishPicture(counts, aborted, image);
+  finishPicture(counts, { 1, 0, 0 }, aborted, image);
   image.statistics.coarse = coarse;
   if (counts.absorbers > 0)
   {

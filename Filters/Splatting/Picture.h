@@ -30,7 +30,8 @@ inline RenderedImage emptyPicture(const Camera& camera)
 }
 
 /// Says what became of the particles; a picture that was given up is empty.
-inline void finishPicture(const ProjectionCounts& counts, bool aborted, RenderedImage& image)
+inline void finishPicture(
+  const ProjectionCounts& counts, const OrderNeeds& tiles, bool aborted, RenderedImage& image)
 {
   image.aborted = aborted;
   if (aborted)
@@ -42,7 +43,7 @@ inline void finishPicture(const ProjectionCounts& counts, bool aborted, Rendered
   statistics.culled = counts.culled;
   statistics.invalid = counts.invalid;
   statistics.absorbers = counts.absorbers;
-  statistics.activeEffects = activeEffects(counts);
+  statistics.activeEffects = activeEffects(counts, tiles);
 }
 } // namespace galaxy
 

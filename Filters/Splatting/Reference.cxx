@@ -112,7 +112,7 @@ RenderedImage renderReference(
   std::copy(sums.I.begin(), sums.I.end(), image.radiance.begin());
   std::transform(sums.tau.begin(), sums.tau.end(), image.transmittance.begin(),
     [](double tau) { return static_cast<float>(std::exp(-tau)); });
-  finishPicture(counts, false, image);
+  finishPicture(counts, { 1, 0, 0 }, false, image);
   return image;
 }
 } // namespace galaxy

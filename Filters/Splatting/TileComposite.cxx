@@ -21,7 +21,7 @@ std::size_t paintWith(const TileTask& task, TileSums& sums)
 
 std::size_t paintTile(const TileTask& task, TileSums& sums)
 {
-  switch (task.absorption)
+  switch (task.isOneSource ? TileAbsorption::None : task.absorption)
   {
     case TileAbsorption::None:
       return task.hasOpaque ? paintWith<TileAbsorption::None, true>(task, sums)

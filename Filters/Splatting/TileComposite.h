@@ -21,6 +21,8 @@ struct TileTask
   PixelBox pixels; ///< of the tile that lie in the picture
   Kernel kernel = Kernel::Gaussian;
   TileAbsorption absorption = TileAbsorption::None;
+  bool isOneSource = false; ///< then only optical depths are added up, as if they were light
+  double source[3] = {};    ///< that all have: luminosity per kpc^2 where it is opaque
   bool hasOpaque = false;
   /// No splat's light over a pixel is more than this in any channel, luminosity per kpc^2.
   float brightest = 0;

@@ -138,11 +138,15 @@ private:
   template <class Footprint>
   HWY_INLINE void draw(const Splat& splat, const Footprint& footprint)
   {
-    if (splat.kind() == SplatKind::Emits)
+    if (splat.kind() == SplatKind::Emits || (planes == 0 && splat.kind() == SplatKind::Absorbs))
     {
       this->emit(splat, splat.light, footprint);
     }
-    else if constexpr (planes > 0)
+    else if constexpr (planes == 0)
+    {
+      this->emit(splat, this->task.projection->lightOf(splat).t, footprint);
+    }
+    else
     {
       this->countVeils(footprint.box);
       const SlabLight light = this->task.projection->lightOf(splat);
