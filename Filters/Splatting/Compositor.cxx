@@ -167,7 +167,8 @@ public:
 private:
   void renderBands(RenderedImage& image);
   void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
-  void renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image);
+  void renderTile(const TileDealer& dealer, const TileBand& band, int tile, Workspace& work,
+    RenderedImage& image);
   TileTask taskOf(const TileBand& band, int tile, Workspace& work) const;
   template <bool sums>
   TileSummary summaryOf(const TileTask& task) const;
@@ -263,7 +264,7 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
     {
       if (!this->aborted && dealer.splatsOf(tiles[n]) > 0)
       {
-        this->renderTile(band, tiles[n], *work, image);
+        this->renderTile(dealer, band, tiles[n], *work, image);
         this->proceed(dealer.splatsOf(tiles[n]));
       }
     }
@@ -373,7 +374,7 @@ void Compositor::order(TileTask& task, const Omission& omission, Workspace& work
   for (std::size_t slot = task.count; slot-- > 0;)
   {
     const Splat& splat = task.splats[slot];
-    work.order[listed] = keyedSlot(nearFirstKey(splat.depth), static_cast<std::uint32_t>(slot));
+    work.order[listed] = keyedSlot(splat.depth, static_cast<std::uint32_t>(slot));
     listed += !omits || !this->omits(omission, splat);
   }
   work.faint += task.count - listed;
@@ -390,11 +391,13 @@ bool Compositor::omits(const Omission& omission, const Splat& splat) const
       std::max({ slab.t[0], slab.t[1], slab.t[2] }) * most < omission.tau);
 }
 
-void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image)
+void Compositor::renderTile(
+  const TileDealer& dealer, const TileBand& band, int tile, Workspace& work, RenderedImage& image)
 {
   const double start = omp_get_wtime();
   TileTask task = this->taskOf(band, tile, work);
   task.pixels = this->grid.pixelsOf(tile);
+  task.depths = dealer.depthsOf(tile);
   const double sorted = omp_get_wtime();
   work.sums.clear(task.isOneSource ? TileAbsorption::None : task.absorption);
   if (task.hasOpaque)

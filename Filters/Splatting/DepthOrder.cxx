@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace galaxy
 {
 namespace
 {
-constexpr int mostDigitBits = 10;
+constexpr int mostDigitBits = 11;
 /// A digit's counts, and then places.
 using Digits = std::array<std::uint32_t, std::size_t(1) << mostDigitBits>;
 /// Fewer are sorted by comparing them.
@@ -33,14 +32,6 @@ void countingPass(const KeyedSlot* from, const KeyedSlot* end, KeyedSlot* to, st
 }
 } // namespace
 
-std::uint32_t nearFirstKey(float depth)
-{
-  const float positiveZero = depth + 0.0f; // -0 and +0 are the same depth
-  std::uint32_t bits;
-  std::memcpy(&bits, &positiveZero, sizeof(bits));
-  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-
 void sortByKey(KeyedSlot* begin, KeyedSlot* end, std::vector<KeyedSlot>& scratch)
 {
   if (end - begin < fewest)
@@ -56,7 +47,6 @@ void sortByKey(KeyedSlot* begin, KeyedSlot* end, std::vector<KeyedSlot>& scratch
     lowest = std::min(lowest, keyOf(*item));
     highest = std::max(highest, keyOf(*item));
   }
-  // Depths seen from outside share their leading bits: two passes are then enough.
   int bits = 0;
   while (bits < 32 && (highest - lowest) >> bits != 0)
   {

@@ -7,9 +7,6 @@
 
 namespace galaxy
 {
-/// An unsigned number that grows with the depth.
-std::uint32_t nearFirstKey(float depth);
-
 /// A key in the upper half and the slot it belongs to in the lower, from which the last comes
 /// first.
 using KeyedSlot = std::uint64_t;

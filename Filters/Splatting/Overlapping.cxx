@@ -74,11 +74,12 @@ public:
   {
   }
 
-  void draw(const Splat* splats, std::size_t count, const Projection& projection)
+  void draw(
+    const Splat* splats, std::size_t count, const TileDepths& depths, const Projection& projection)
   {
     for (std::size_t k = 0; k < count; ++k)
     {
-      this->balls.push_back(this->ballOf(splats[k], projection));
+      this->balls.push_back(this->ballOf(splats[k], depths, projection));
     }
     this->slices = this->slicesOf();
     this->sums.assign(std::size_t(this->columns) * this->rows * this->slices.count() * 6, 0.0);
@@ -122,13 +123,13 @@ private:
       (this->bottom + y - this->camera.centerY) / this->camera.scale };
   }
 
-  Ball ballOf(const Splat& splat, const Projection& projection) const
+  Ball ballOf(const Splat& splat, const TileDepths& depths, const Projection& projection) const
   {
     Ball ball = {};
     ball.x = double(splat.column()) + splat.x;
     ball.y = double(splat.row()) + splat.y;
     ball.h = splat.h;
-    ball.distance = splat.depth;
+    ball.distance = depths.depthOf(splat.depth);
     const SlabLight light = projection.lightOf(splat);
     std::copy_n(light.e, 3, ball.e);
     std::copy_n(light.t, 3, ball.t);
@@ -277,7 +278,7 @@ RenderedImage renderOverlapping(
       if (count > 0 && !aborted)
       {
         TileSlicer slicer(camera, options, grid, tile);
-        slicer.draw(band.splats.data() + first, count, projection);
+        slicer.draw(band.splats.data() + first, count, dealer.depthsOf(tile), projection);
         slicer.march(image);
         coarse += slicer.isCoarse();
       }

@@ -22,7 +22,7 @@ struct Splat
   std::uint32_t where; ///< pixel of the centre and kind, see pack()
   float x, y;          ///< the centre in that pixel, 0 to 1: float then has digits for the smallest
   float h;             ///< radius of the footprint, pixels
-  float depth;         ///< kpc: distance (perspective) or depth (parallel)
+  std::uint32_t depth; ///< distance (perspective) or depth (parallel), see TileDepths
   float light[3]; ///< luminosity, or cross-section, over the pixel's area at the particle (kpc^2)
 
   /// Where counting in pixels stops: a centre farther off has the rest in x and y.
@@ -55,6 +55,33 @@ struct Splat
   }
 };
 static_assert(sizeof(Splat) == 32, "two splats a cache line");
+
+/// The depths of a tile's splats in 32 bits: steps from the nearest, as many as lie between it and
+/// the farthest. In single precision, at 100 kpc, one of twenty neighbours in a galaxy of a hundred
+/// thousand particles would be in the same step as another.
+struct TileDepths
+{
+  double nearest = 0; ///< kpc
+  double farthest = 0;
+  double steps = 0; ///< per kpc
+
+  TileDepths() = default;
+  TileDepths(double nearest, double farthest)
+    : nearest(nearest)
+    , farthest(farthest)
+    , steps(farthest > nearest ? 4294967295.0 / (farthest - nearest) : 0)
+  {
+  }
+  std::uint32_t stepOf(double depth) const
+  {
+    const double inside = std::clamp(depth, this->nearest, this->farthest);
+    return static_cast<std::uint32_t>((inside - this->nearest) * this->steps);
+  }
+  double depthOf(std::uint32_t step) const
+  {
+    return this->nearest + (this->steps > 0 ? step / this->steps : 0);
+  }
+};
 
 /// What Splat::light holds of a slab.
 struct SlabName

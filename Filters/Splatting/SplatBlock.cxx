@@ -97,7 +97,8 @@ struct Seen
 };
 
 /// The tiles that particles touch.
-HWY_INLINE void storeTiles(const Seen& seen, const TileGrid& grid, int k, BlockTiles& tiles)
+HWY_INLINE void storeTiles(
+  const Seen& seen, const Camera& c, const TileGrid& grid, int k, BlockTiles& tiles)
 {
   const Range columns(seen.x, seen.h, grid.left, grid.width);
   const Range rows(seen.y, seen.h, grid.bottom, grid.height);
@@ -116,6 +117,11 @@ HWY_INLINE void storeTiles(const Seen& seen, const TileGrid& grid, int k, BlockT
   const auto home =
     hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, several), code(TileHome::nowhere));
   hn::StoreU(home, ints, reinterpret_cast<std::int32_t*>(tiles.home) + k);
+  const W depth = c.parallel
+    ? seen.forward
+    : hn::Sqrt(hn::MulAdd(
+        seen.right, seen.right, hn::MulAdd(seen.up, seen.up, hn::Mul(seen.forward, seen.forward))));
+  hn::StoreU(depth, wide, tiles.depth + k);
 }
 
 void locateVectors(
@@ -124,7 +130,7 @@ void locateVectors(
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
   {
     const Seen seen(places, k, c, grid);
-    storeTiles(seen, grid, k, tiles);
+    storeTiles(seen, c, grid, k, tiles);
     if (!hn::AllTrue(wide, seen.isSane))
     {
       HWY_ALIGN double odd[8];
@@ -152,17 +158,12 @@ void projectPlaces(
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
   {
     const Seen seen(places, k, c, grid);
-    storeTiles(seen, grid, k, block.tiles);
+    storeTiles(seen, c, grid, k, block.tiles);
     const auto column = storePlace(seen.x, hn::LoadU(ints, block.tiles.column0 + k), block.x + k);
     const auto row = storePlace(seen.y, hn::LoadU(ints, block.tiles.row0 + k), block.y + k);
     hn::StoreU(hn::Or(column, hn::ShiftLeft<Splat::rowBit>(row)), ints,
       reinterpret_cast<std::int32_t*>(block.where + k));
     hn::StoreU(hn::DemoteTo(half, hn::Min(seen.h, hn::Set(wide, 1e15))), half, block.h + k);
-    const W distance = c.parallel
-      ? seen.forward
-      : hn::Sqrt(hn::MulAdd(seen.right, seen.right,
-          hn::MulAdd(seen.up, seen.up, hn::Mul(seen.forward, seen.forward))));
-    hn::StoreU(hn::DemoteTo(half, distance), half, block.depth + k);
     hn::StoreU(hn::DemoteTo(half, hn::Mul(seen.ratio, seen.ratio)), half, block.perArea + k);
   }
 }
@@ -249,8 +250,7 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
       hn::ShiftLeft<Splat::kindBit>(hn::And(kind, shown)));
     hn::StoreInterleaved4(asFloat(where), hn::LoadU(floats, block.x + k),
       hn::LoadU(floats, block.y + k), hn::LoadU(floats, block.h + k), floats, block.head[k]);
-    hn::StoreInterleaved4(
-      hn::LoadU(floats, block.depth + k), light[0], light[1], light[2], floats, block.tail[k]);
+    hn::StoreInterleaved4(zero, light[0], light[1], light[2], floats, block.tail[k]);
   }
 }
 

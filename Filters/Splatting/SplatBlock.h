@@ -50,6 +50,7 @@ struct BlockTiles
 
   std::uint32_t home[most];                                          ///< a TileHome
   std::int32_t column0[most], row0[most], column1[most], row1[most]; ///< the last ones included
+  double depth[most];                                                ///< kpc
 
   TileRange range(int k) const
   {
@@ -85,6 +86,7 @@ struct SplatBlock
 {
   static constexpr int most = BlockPlaces::most;
 
+  /// Without its depth, which is counted from the tile's nearest.
   Splat splat(int k) const
   {
     Splat splat;
@@ -100,7 +102,7 @@ struct SplatBlock
 
   // What is known before the light is.
   std::uint32_t where[most];
-  float x[most], y[most], h[most], depth[most];
+  float x[most], y[most], h[most];
   float perArea[most]; ///< 1 / (pixel area there, kpc^2)
 };
 

@@ -201,7 +201,8 @@ private:
     if constexpr (hasOpaque)
     {
       const auto opaque = hn::LoadU(d, &this->sums.opaque[y][x]);
-      return hn::IfThenZeroElse(hn::Lt(opaque, hn::Set(d, splat.depth)), w);
+      const auto depth = static_cast<float>(this->task.depths.depthOf(splat.depth));
+      return hn::IfThenZeroElse(hn::Lt(opaque, hn::Set(d, depth)), w);
     }
     return w;
   }

@@ -4,6 +4,7 @@
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <omp.h>
@@ -18,6 +19,18 @@ std::size_t shareBegin(std::size_t size, std::size_t part, std::size_t parts)
   const std::size_t blocks = (size + SplatBlock::most - 1) / SplatBlock::most;
   return std::min(size, blocks * part / parts * SplatBlock::most);
 }
+
+/// The nearest and the farthest, kpc.
+struct DepthRange
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -std::numeric_limits<double>::infinity();
+  void add(double depth)
+  {
+    this->nearest = std::min(this->nearest, depth);
+    this->farthest = std::max(this->farthest, depth);
+  }
+};
 } // namespace
 
 /// One thread's share of the particles, which it counts or deals.
@@ -32,8 +45,8 @@ public:
   {
   }
 
-  void count(
-    Buffer<std::uint32_t>& home, std::vector<std::uint32_t>& counts, ProjectionCounts& absent)
+  void count(Buffer<std::uint32_t>& home, std::vector<std::uint32_t>& counts,
+    std::vector<DepthRange>& depths, ProjectionCounts& absent)
   {
     const std::unique_ptr<BlockTiles> tiles(new BlockTiles);
     for (std::size_t i = this->begin; i < this->end; i += SplatBlock::most)
@@ -47,7 +60,7 @@ public:
       locateBlock(this->places, size, this->dealer.camera, this->dealer.tiles, *tiles);
       for (int k = 0; k < size; ++k)
       {
-        home[i + k] = this->countOne(i + k, *tiles, k, counts, absent);
+        home[i + k] = this->countOne(i + k, *tiles, k, counts, depths, absent);
       }
     }
   }
@@ -79,7 +92,9 @@ public:
         if (TileHome::isOne(home))
         {
           ++this->tally[static_cast<int>(this->block->fate[k])];
-          writer.write(static_cast<int>(home) - band.first, this->block->splat(k));
+          Splat splat = this->block->splat(k);
+          splat.depth = this->dealer.depths[home].stepOf(this->block->tiles.depth[k]);
+          writer.write(static_cast<int>(home) - band.first, splat);
         }
         else
         {
@@ -98,7 +113,8 @@ private:
 
   /// Counts particle i in the tiles that it may touch, and says where it is.
   std::uint32_t countOne(std::size_t i, const BlockTiles& tiles, int k,
-    std::vector<std::uint32_t>& counts, ProjectionCounts& absent) const
+    std::vector<std::uint32_t>& counts, std::vector<DepthRange>& depths,
+    ProjectionCounts& absent) const
   {
     const std::uint32_t home = tiles.home[k];
     if (home == TileHome::invalid)
@@ -114,6 +130,7 @@ private:
     if (TileHome::isOne(home))
     {
       ++counts[home];
+      depths[home].add(tiles.depth[k]);
       return home;
     }
     const TileRange range = tiles.range(k);
@@ -122,6 +139,7 @@ private:
       for (int column = range.column0; column <= range.column1; ++column)
       {
         ++counts[row * this->dealer.tiles.columns + column];
+        depths[row * this->dealer.tiles.columns + column].add(tiles.depth[k]);
       }
     }
     return home;
@@ -145,8 +163,10 @@ private:
         const int tile = row * band.gridColumns + column;
         if (band.has(tile))
         {
-          writer.write(tile - band.first,
-            splat.from((column - range.column0) * tileSide, (row - range.row0) * tileSide));
+          Splat seen =
+            splat.from((column - range.column0) * tileSide, (row - range.row0) * tileSide);
+          seen.depth = this->dealer.depths[tile].stepOf(this->block->tiles.depth[k]);
+          writer.write(tile - band.first, seen);
         }
       }
     }
@@ -182,6 +202,7 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
   , memory(memory_)
   , counts(omp_get_max_threads(), std::vector<std::uint32_t>(this->tiles.size()))
   , totals(this->tiles.size())
+  , depths(this->tiles.size())
 {
   if (projection.size() > UINT32_MAX)
   {
@@ -193,11 +214,12 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
   }
   const std::size_t parts = this->counts.size();
   std::vector<ProjectionCounts> absences(parts);
+  std::vector<std::vector<DepthRange>> ranges(parts, std::vector<DepthRange>(this->tiles.size()));
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)
   {
     const std::unique_ptr<Share> share(new Share(*this, part, parts));
-    share->count(this->memory.home, this->counts[part], absences[part]);
+    share->count(this->memory.home, this->counts[part], ranges[part], absences[part]);
   }
   for (std::size_t part = 0; part < parts; ++part)
   {
@@ -206,6 +228,16 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
     {
       this->totals[tile] += this->counts[part][tile];
     }
+  }
+  for (int tile = 0; tile < this->tiles.size(); ++tile)
+  {
+    DepthRange all;
+    for (std::size_t part = 0; part < parts; ++part)
+    {
+      all.nearest = std::min(all.nearest, ranges[part][tile].nearest);
+      all.farthest = std::max(all.farthest, ranges[part][tile].farthest);
+    }
+    this->depths[tile] = TileDepths(all.nearest, all.farthest);
   }
   this->cutIntoBands();
 }

@@ -48,6 +48,7 @@ public:
   const TileBand& deal(int k) const;
 
   const TileGrid& grid() const { return this->tiles; }
+  const TileDepths& depthsOf(int tile) const { return this->depths[tile]; }
   std::size_t splatsOf(int tile) const { return this->totals[tile]; }
   std::size_t splats() const; ///< of all tiles
   /// Particles that are nowhere: off the image, behind the eye or hidden, and invalid ones.
@@ -64,6 +65,7 @@ private:
   RenderMemory& memory;
   std::vector<std::vector<std::uint32_t>> counts; ///< by share and tile
   std::vector<std::size_t> totals;                ///< by tile
+  std::vector<TileDepths> depths;                 ///< by tile
   ProjectionCounts absent;
   std::vector<int> starts;     ///< the first tile of each band, and the number of tiles
   std::size_t largestBand = 0; ///< splats

@@ -161,6 +161,24 @@ TEST(Render, CoincidentParticlesAreTakenInTheOrderOfTheirIndex)
   EXPECT_LT(dimmed.radiance[p], 0.5 * free.radiance[p]);
 }
 
+TEST(Render, DepthsThatSinglePrecisionCannotTellApartKeepTheirOrder)
+{
+  // From 100 kpc away, 1e-7 kpc behind each other, and something else far behind in the same tile.
+  for (const bool parallel : { true, false })
+  {
+    for (const float gap : { 1e-7F, -1e-7F })
+    {
+      Scene scene;
+      scene.add({ 0.05, 0.05, gap }, 0.3, { 1, 1, 1 });
+      scene.add({ 0.05, 0.05, 0 }, 0.3, {}, { 0.1F, 0.1F, 0.1F });
+      scene.add({ 1, 1, -30 }, 0.1, { 1, 1, 1 });
+      const auto image = renderSorted(scene.view(), testCamera(parallel));
+      const auto exact = renderReference(scene.view(), testCamera(parallel));
+      EXPECT_LT(largestDifference(image.radiance, exact.radiance), 1e-6 * largest(exact.radiance));
+    }
+  }
+}
+
 TEST(Render, TwoHalvesMakeOneParticle)
 {
   Scene one, two;
