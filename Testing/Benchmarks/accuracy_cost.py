@@ -85,6 +85,7 @@ def plot(data, path):
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    from matplotlib.ticker import NullFormatter
 
     scenes = scenes_of(data["runs"])
     figure, grid = plt.subplots(2, (len(scenes) + 1) // 2, figsize=(13, 6.4), layout="constrained",
@@ -100,6 +101,7 @@ def plot(data, path):
         axes.axhline(1 / 512, color="#999999", linewidth=0.8, linestyle=":")
         axes.set_xscale("log")
         axes.set_yscale("log")
+        axes.xaxis.set_minor_formatter(NullFormatter())
         axes.set_title(scene, loc="left", fontsize=10)
         for side in ("top", "right"):
             axes.spines[side].set_visible(False)
@@ -109,12 +111,12 @@ def plot(data, path):
         axes.set_xlabel("seconds a picture")
     for axes in grid[:, 0]:
         axes.set_ylabel("largest displayed error (white is 1)")
-    handles, labels = {}, {}
+    handles = {}
     for axes in grid.flat:
         for handle, label in zip(*axes.get_legend_handles_labels()):
-            handles[label] = handle
-    figure.legend(handles.values(), handles.keys(), loc="outside upper right", ncols=4,
-                  frameon=False)
+            if len(handle.get_xdata()):
+                handles[label] = handle
+    grid.flat[0].legend(handles.values(), handles.keys(), loc="center left", frameon=False)
     figure.savefig(path, dpi=110)
 
 
