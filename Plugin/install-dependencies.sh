@@ -10,7 +10,7 @@ packages="build-essential cmake ninja-build pkg-config
   libhdf5-dev libnanoflann-dev libhwy-dev
   xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5"
 if [ "${1:-}" = "--tests" ]; then
-  packages="$packages libgtest-dev clang-format imagemagick xdotool
+  packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool
     python3-h5py python3-yt splash"
 fi
 

@@ -1,81 +1,120 @@
-// Seconds a frame, by stage, for six views of one galaxy.
-// Use: galaxy_bench_render [N | SCENE.f32] [repeats] [Gaussian | spline] [VIEW], where VIEW is a
-// part of a view's name, such as stars. N synthetic particles, or a scene file of nine float32
-// arrays x y z h I R G B type one after the other (kpc; type 0 gas, 2 dust, others stars).
+// Seconds a picture, by stage, for six views of one galaxy at three levels of accuracy.
+// Use: galaxy_bench_render [--scene=N | --scene=SCENE.f32] [--spline] [Google Benchmark's options]
+// N particles of makeDisc, or a file as readScene has it; --benchmark_filter=stars/Sorted picks
+// views and levels by their names, --benchmark_repetitions=5 repeats them.
 #include "BenchScenes.h"
+#include "Filters/Splatting/Preview.h"
 #include "Filters/Splatting/Tiles.h"
+#include "Filters/Splatting/ToneMap.h"
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <limits>
-#include <string>
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <memory>
+#include <omp.h>
 
 namespace
 {
 using namespace galaxy;
 
-/// The views whose names have this in them are drawn.
-std::string wantedViews;
-
-void benchView(const BenchScene& scene, const char* name, bool edgeOn, double halfWidth, bool gas,
-  int repeats, const RenderOptions& options)
+struct View
 {
-  if (std::string(name).find(wantedViews) == std::string::npos)
+  const char* name;
+  bool edgeOn;
+  double halfWidth; ///< kpc
+  bool hasGas;
+};
+const View views[] = { { "wide/face-on", false, 42, true }, { "wide/edge-on", true, 42, true },
+  { "close/face-on", false, 10, true }, { "close/edge-on", true, 10, true },
+  { "stars/face-on", false, 10, false }, { "stars/edge-on", true, 10, false } };
+
+/// What all pictures share.
+struct Bench
+{
+  BenchScene scene;
+  RenderOptions options;
+  RenderMemory memory;
+  Preview preview;
+  std::uint64_t version = 0;
+
+  RenderedImage draw(const View& view, Accuracy accuracy)
   {
-    return;
+    const Camera camera = benchCamera(view.edgeOn ? Vec3{ 1, 0, 0 } : Vec3{ 0, 0, 1 },
+      view.edgeOn ? Vec3{ 0, 0, 1 } : Vec3{ 0, 1, 0 }, view.halfWidth, 1024);
+    RenderOptions with = this->options;
+    with.memory = &this->memory;
+    with.accuracy = accuracy;
+    // Of the disc's light, of which all is 1 or so, white is what a thousandth on a square kpc is.
+    with.allowed = allowedError({ 1e3, 10, 1 }, 1.0 / 512);
+    const ParticleView particles = this->scene.view(view.hasGas);
+    return accuracy == Accuracy::Preview
+      ? this->preview.render(particles, view.hasGas ? 1 : 2, camera, with, 0.1)
+      : render(particles, camera, with);
   }
-  RenderedImage best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < repeats; ++k)
+};
+
+void run(benchmark::State& state, Bench& bench, const View& view, Accuracy accuracy)
+{
+  bench.draw(view, accuracy); // memory and the sample, which later pictures have
+  RenderStatistics last;
+  for (auto _ : state)
   {
-    const Vec3 from = edgeOn ? Vec3{ 1, 0, 0 } : Vec3{ 0, 0, 1 };
-    const Vec3 up = edgeOn ? Vec3{ 0, 0, 1 } : Vec3{ 0, 1, 0 };
-    RenderedImage image = render(scene.view(gas), benchCamera(from, up, halfWidth, 1024), options);
-    double total = 0;
-    for (const auto& stage : image.statistics.seconds)
-    {
-      total += stage.second;
-    }
-    if (total < least)
-    {
-      least = total;
-      best = std::move(image);
-    }
+    const double start = omp_get_wtime();
+    const RenderedImage image = bench.draw(view, accuracy);
+    state.SetIterationTime(omp_get_wtime() - start);
+    last = image.statistics;
   }
-  std::printf("%-22s %7.3f s ", name, least);
-  for (const auto& stage : best.statistics.seconds)
+  for (const auto& stage : last.seconds)
   {
-    std::printf(" %s %.3f", stage.first.c_str(), stage.second);
+    state.counters[stage.first] = stage.second;
   }
-  double light = 0;
-  for (const float x : best.radiance)
-  {
-    light += x;
-  }
-  std::printf("  [%s; sum %.8g]\n", best.statistics.activeEffects.c_str(), light);
-  std::fflush(stdout);
+  state.counters["drawn"] = static_cast<double>(last.drawn);
+  state.SetLabel(last.activeEffects);
 }
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const std::string source = argc > 1 ? argv[1] : "1000000";
-  const int repeats = argc > 2 ? std::atoi(argv[2]) : 3;
+  benchmark::Initialize(&argc, argv);
+  auto bench = std::make_unique<Bench>();
+  std::string source = "1000000";
+  for (int k = 1; k < argc; ++k)
+  {
+    if (std::strncmp(argv[k], "--scene=", 8) == 0)
+    {
+      source = argv[k] + 8;
+    }
+    else if (std::strcmp(argv[k], "--spline") == 0)
+    {
+      bench->options.kernel = Kernel::CubicSpline;
+    }
+    else
+    {
+      std::fprintf(stderr, "%s: unknown option\n", argv[k]);
+      return 2;
+    }
+  }
   const bool isNumber = source.find_first_not_of("0123456789") == std::string::npos;
-  const BenchScene scene = isNumber ? makeDisc(std::stoull(source)) : readScene(source);
-  RenderMemory memory;
-  RenderOptions options;
-  options.memory = &memory;
-  options.kernel =
-    argc > 3 && std::string(argv[3]) == "spline" ? Kernel::CubicSpline : Kernel::Gaussian;
-  wantedViews = argc > 4 ? argv[4] : "";
-  std::printf("%zu particles, 1024 x 1024, least of %d\n", scene.size, repeats);
-  benchView(scene, "face-on, 84 kpc", false, 42, true, repeats, options);
-  benchView(scene, "edge-on, 84 kpc", true, 42, true, repeats, options);
-  benchView(scene, "face-on, 20 kpc", false, 10, true, repeats, options);
-  benchView(scene, "edge-on, 20 kpc", true, 10, true, repeats, options);
-  benchView(scene, "face-on, stars, 20 kpc", false, 10, false, repeats, options);
-  benchView(scene, "edge-on, stars, 20 kpc", true, 10, false, repeats, options);
+  bench->scene = isNumber ? makeDisc(std::stoull(source)) : readScene(source);
+  if (bench->scene.size == 0)
+  {
+    std::fprintf(stderr, "%s: no particles\n", source.c_str());
+    return 2;
+  }
+  const std::pair<const char*, Accuracy> levels[] = { { "Sorted", Accuracy::Sorted },
+    { "Bounded", Accuracy::Bounded }, { "Preview", Accuracy::Preview } };
+  for (const View& view : views)
+  {
+    for (const auto& level : levels)
+    {
+      benchmark::RegisterBenchmark((std::string(view.name) + "/" + level.first).c_str(),
+        [&bench, &view, accuracy = level.second](
+          benchmark::State& state) { run(state, *bench, view, accuracy); })
+        ->UseManualTime()
+        ->Iterations(2)
+        ->Unit(benchmark::kMillisecond);
+    }
+  }
+  benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

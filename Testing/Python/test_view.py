@@ -155,6 +155,47 @@ class View(unittest.TestCase):
         display.Visibility = 0
         self.assertLess(self.shot().max(), 0.01)
 
+    def test_a_preview_while_the_view_moves(self):
+        rng = np.random.default_rng(1)
+        places = rng.uniform(-1, 1, (200000, 3)).astype(np.float32)
+        light = np.full((len(places), 3), 1e-4, dtype=np.float32)
+        source = gt.particles(places, np.full(len(places), 0.05), Emission=light)
+        display = self.show(source, PreviewTime=0.01)
+        display.Exposure = 0.5 / 5  # 20 in all over 4 square kpc
+        simple.Render(self.view)
+        whole = self.shot()
+        self.assertNotIn("stand for all", display.RenderStatistics)
+        self.view.LODThreshold = 0  # also what is small is "large" then
+        view = self.view.GetClientSideObject()
+        view.Update()
+        self.view.CameraPosition = [0, 0, 6]
+        view.InteractiveRender()
+        display.UpdatePropertyInformation()
+        self.assertIn("stand for all", display.GetPropertyValue("RenderStatistics"))
+        self.view.CameraPosition = [0, 0, 5]
+        after = self.shot()
+        display.UpdatePropertyInformation()
+        self.assertNotIn("stand for all", display.GetPropertyValue("RenderStatistics"))
+        np.testing.assert_allclose(after, whole, atol=1 / 254)
+
+    def test_preview_is_bounded_on_average_and_bounded_is_sorted(self):
+        rng = np.random.default_rng(2)
+        places = rng.uniform(-1, 1, (20000, 3)).astype(np.float32)
+        light = np.full((len(places), 3), 1e-3, dtype=np.float32)
+        light[::3] = 0
+        dust = np.zeros_like(light)
+        dust[::3] = [2e-4, 3e-4, 4e-4]
+        source = gt.particles(places, np.full(len(places), 0.3), Emission=light, Absorption=dust)
+        display = self.show(source, Exposure=0.2)
+        pictures = {}
+        for accuracy in ("Sorted", "Bounded", "Preview"):
+            display.Accuracy = accuracy
+            display.PreviewTime = 0.01
+            pictures[accuracy] = self.shot()
+        self.assertGreater(pictures["Sorted"].max(), 0.2)
+        np.testing.assert_allclose(pictures["Bounded"], pictures["Sorted"], atol=1 / 512 + 1 / 255)
+        self.assertAlmostEqual(pictures["Preview"].mean() / pictures["Sorted"].mean(), 1, delta=0.2)
+
     def test_two_views_and_two_representations(self):
         self.show(self.emitter((-0.5, 0, 0), (1, 0, 0)))
         self.show(self.emitter((0.5, 0, 0), (0, 1, 0)))
