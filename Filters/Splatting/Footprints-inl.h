@@ -73,7 +73,9 @@ public:
   /// The pixel in the middle has the most of all: no more than all, nor than the peak.
   static float mostOfAPixelAt(float a) { return std::min(1.0F, 0.3187F * a * a); }
 
+  static constexpr bool isGeneral = false; ///< else the weights are no product of row and column
   HWY_INLINE V rowAt(int y) const { return hn::Set(tag, this->row[y]); }
+  HWY_INLINE V columnsAt(int x) const { return hn::LoadU(tag, this->column + x); }
   /// The weights of the lanes that begin at column x of row y of the box.
   HWY_INLINE V weights(V at, int, int x) const
   {
@@ -196,11 +198,10 @@ public:
   }
   float mostOfAPixel() const { return this->most; }
 
-  struct Row
-  {
-  };
-  HWY_INLINE Row rowAt(int) const { return {}; }
-  HWY_INLINE V weights(const Row&, int y, int x) const
+  static constexpr bool isGeneral = true;
+  HWY_INLINE V rowAt(int) const { return hn::Zero(tag); }
+  HWY_INLINE V columnsAt(int) const { return hn::Zero(tag); }
+  HWY_INLINE V weights(V, int y, int x) const
   {
     return hn::LoadU(tag, this->table.weights[y] + x);
   }

@@ -30,6 +30,8 @@ public:
 
   float mostOfAPixel() const { return this->most; }
 
+  static constexpr bool isGeneral = false;
+  HWY_INLINE Vector columnsAt(int x) const { return fours(this->columns, x); }
   HWY_INLINE Vector rowAt(int y) const { return hn::Set(D(), this->rows[y * batch]); }
   HWY_INLINE Vector weights(Vector at, int, int x) const
   {

@@ -236,6 +236,56 @@ private:
   template <class Footprint>
   HWY_INLINE void emit(const Splat& splat, const float* light, const Footprint& footprint)
   {
+    // As many vectors a row as the footprint has: no loop then ends where none was expected to.
+    const int vectors = (footprint.box.columns + lanes(tag) - 1) / lanes(tag);
+    switch (hasOpaque || Footprint::isGeneral ? 0 : vectors)
+    {
+      case 1:
+        return this->emitRows<1>(light, footprint);
+      case 2:
+        return this->emitRows<2>(light, footprint);
+      case 3:
+        return this->emitRows<3>(light, footprint);
+      case 4:
+        return this->emitRows<4>(light, footprint);
+      default:
+        return this->emitAny(splat, light, footprint);
+    }
+  }
+
+  template <int vectors, class Footprint>
+  HWY_INLINE void emitRows(const float* light, const Footprint& footprint)
+  {
+    using D = typename Footprint::D;
+    using Vector = hn::Vec<D>;
+    const D d;
+    const int N = lanes(d);
+    const Box box = footprint.box;
+    Vector columns[vectors];
+    for (int k = 0; k < vectors; ++k)
+    {
+      columns[k] = footprint.columnsAt(k * N);
+    }
+    const Vector e[3] = { hn::Set(d, light[0]), hn::Set(d, light[1]), hn::Set(d, light[2]) };
+    float* HWY_RESTRICT sum = &this->sums.recentLight.values[0][box.y0][box.x0];
+    for (int y = 0; y < box.rows; ++y, sum += tileStride)
+    {
+      const Vector row = footprint.rowAt(y);
+      for (int k = 0; k < vectors; ++k)
+      {
+        const Vector w = hn::Mul(row, columns[k]);
+        for (int c = 0; c < 3; ++c)
+        {
+          float* HWY_RESTRICT at = sum + c * planeSize + k * N;
+          hn::StoreU(hn::MulAdd(w, e[c], hn::LoadU(d, at)), d, at);
+        }
+      }
+    }
+  }
+
+  template <class Footprint>
+  HWY_NOINLINE void emitAny(const Splat& splat, const float* light, const Footprint& footprint)
+  {
     using D = typename Footprint::D;
     using Vector = hn::Vec<D>;
     const D d;
