@@ -201,10 +201,7 @@ public:
   static constexpr bool isGeneral = true;
   HWY_INLINE V rowAt(int) const { return hn::Zero(tag); }
   HWY_INLINE V columnsAt(int) const { return hn::Zero(tag); }
-  HWY_INLINE V weights(V, int y, int x) const
-  {
-    return hn::LoadU(tag, this->table.weights[y] + x);
-  }
+  HWY_INLINE V weights(V, int y, int x) const { return hn::LoadU(tag, this->table.weights[y] + x); }
 
 private:
   SplineWeights table;
