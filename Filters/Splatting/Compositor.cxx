@@ -1,13 +1,12 @@
 #include "Filters/Splatting/DepthOrder.h"
 #include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/TileComposite.h"
+#include "Filters/Splatting/TileSummary.h"
 #include "Filters/Splatting/Tiles.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -17,125 +16,6 @@ namespace galaxy
 {
 namespace
 {
-/// What splats are in sum, by the binary exponent of their numbers: so that the smallest of them
-/// are found whose sum is small.
-class SumsBySize
-{
-public:
-  void add(float x)
-  {
-    this->sums[exponentOf(x)] += x;
-    this->all += x;
-  }
-  double total() const { return this->all; }
-  /// The smallest numbers whose sum is no more than this: all below the threshold returned. `sum`
-  /// becomes theirs.
-  float smallest(double most, double& sum) const
-  {
-    sum = 0;
-    int exponent = 0;
-    for (; exponent < exponents && sum + this->sums[exponent] <= most; ++exponent)
-    {
-      sum += this->sums[exponent];
-    }
-    return exponent == 0 ? 0 : exponent < exponents ? std::ldexp(1.0F, exponent - 127) : infinity;
-  }
-
-private:
-  static constexpr int exponents = 255;
-  static constexpr float infinity = std::numeric_limits<float>::infinity();
-  static int exponentOf(float x)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &x, sizeof(bits));
-    return std::min<int>(bits >> 23 & 0xff, exponents - 1);
-  }
-
-  std::array<double, exponents> sums = {};
-  double all = 0;
-};
-
-/// The most of a splat's light, or optical depth, that a pixel can have.
-float mostOfAPixel(Kernel kernel, float h)
-{
-  return std::min(1.0F, (kernel == Kernel::Gaussian ? 2.869F : 2.0F) / (h * h));
-}
-
-/// Whether all splats emit in proportion to their absorption, channel by channel, as absorbers
-/// alone do: their light is then S (1 - e^-tau), whatever their order.
-class OneSource
-{
-public:
-  bool holds() const { return this->isOne; }
-  double source(int channel) const { return std::max(0.0, this->S[channel]); }
-
-  void add(const SlabLight& slab)
-  {
-    for (int c = 0; c < 3 && this->isOne; ++c)
-    {
-      if (slab.t[c] > 0 && this->S[c] < 0)
-      {
-        this->S[c] = double(slab.e[c]) / slab.t[c];
-      }
-      // Products that were rounded to float.
-      this->isOne = std::abs(slab.e[c] - this->source(c) * slab.t[c]) <= 5e-7 * slab.e[c];
-    }
-  }
-
-private:
-  bool isOne = true;
-  double S[3] = { -1, -1, -1 }; ///< negative: not known yet
-};
-
-/// What the splats of a tile are in sum.
-struct TileSummary
-{
-  TileAbsorption absorption = TileAbsorption::None;
-  OneSource source;
-  float brightest = 0;   ///< the largest luminosity of one over a pixel's area
-  float thickest = 0;    ///< the largest optical depth of one in a pixel
-  SumsBySize light, tau; ///< over a pixel that all of them have in their middle
-
-  template <bool sums>
-  void add(const Splat& splat, const SlabLight& slab, Kernel kernel)
-  {
-    const float* e = slab.e;
-    const float* t = slab.t;
-    const float most = std::max({ e[0], e[1], e[2] });
-    this->brightest = std::max(this->brightest, most);
-    if (this->source.holds())
-    {
-      this->source.add(slab);
-    }
-    if (sums)
-    {
-      this->light.add(most * mostOfAPixel(kernel, splat.h));
-    }
-    if (splat.kind() != SplatKind::Emits)
-    {
-      const bool isGrey = t[0] == t[1] && t[1] == t[2];
-      this->absorption =
-        std::max(this->absorption, isGrey ? TileAbsorption::Grey : TileAbsorption::Color);
-      const float depth = std::max({ t[0], t[1], t[2] }) * mostOfAPixel(kernel, splat.h);
-      this->thickest = std::max(this->thickest, depth);
-      if (sums)
-      {
-        this->tau.add(depth);
-      }
-    }
-  }
-};
-
-/// What a picture leaves out of a tile.
-struct Omission
-{
-  float light = 0;       ///< emitters fainter than this
-  float tau = 0;         ///< absorbers thinner than this
-  bool isOrdered = true; ///< whether the others' order matters
-  ErrorBound bound;      ///< on the error
-  std::size_t splats = 0;
-};
-
 /// One thread's memory, kept from tile to tile.
 struct Workspace
 {
@@ -170,13 +50,9 @@ private:
   void renderTile(const TileDealer& dealer, const TileBand& band, int tile, Workspace& work,
     RenderedImage& image);
   TileTask taskOf(const TileBand& band, int tile, Workspace& work) const;
-  template <bool sums>
-  TileSummary summaryOf(const TileTask& task) const;
-  Omission omissionOf(const TileSummary& summary) const;
-  bool omits(const Omission& omission, const Splat& splat) const;
   void order(TileTask& task, const Omission& omission, Workspace& work) const;
   bool proceed(std::size_t more);
-  void loadOpaque(int tile, const TileTask& task, TileSums& sums) const;
+  void loadOpaque(int tile, const PixelBox& box, const TileDepths& depths, TileSums& sums) const;
   void store(int tile, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
 
   Projection projection;
@@ -299,18 +175,17 @@ TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) con
   task.hasOpaque = this->options.opaqueDepth != nullptr;
   task.projection = &this->projection;
   const bool isBounded = this->allowed.light > 0 || this->allowed.share > 0;
-  const TileSummary summary =
-    isBounded ? this->summaryOf<true>(task) : this->summaryOf<false>(task);
+  const TileSummary summary(task, isBounded);
   task.absorption = summary.absorption;
   task.brightest = summary.brightest;
   task.negligible = static_cast<float>(this->allowed.light / 2);
   task.opaque = static_cast<float>(this->allowed.share / 2);
   work.thickest = std::max(work.thickest, summary.thickest);
-  const Omission omission = isBounded ? this->omissionOf(summary) : Omission();
+  const Omission omission = summary.omission(this->allowed);
   const bool absorbs = summary.absorption != TileAbsorption::None;
   task.isOneSource = absorbs && summary.source.holds();
   const bool isOrdered = absorbs && omission.isOrdered && !task.isOneSource;
-  if (isOrdered || omission.light > 0 || omission.tau > 0)
+  if (isOrdered || omission.omits())
   {
     this->order(task, omission, work);
   }
@@ -330,65 +205,21 @@ TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) con
   return task;
 }
 
-template <bool sums>
-TileSummary Compositor::summaryOf(const TileTask& task) const
-{
-  TileSummary summary;
-  for (std::size_t slot = 0; slot < task.count; ++slot)
-  {
-    const Splat& splat = task.splats[slot];
-    summary.add<sums>(splat, this->projection.lightOf(splat), this->options.kernel);
-  }
-  return summary;
-}
-
-/// Half of what is allowed is for the faintest splats, half for what their order, or what lies
-/// behind them, would change.
-Omission Compositor::omissionOf(const TileSummary& summary) const
-{
-  Omission omission;
-  omission.light = summary.light.smallest(this->allowed.light / 2, omission.bound.light);
-  // Dimmed by e^-tau too little, light is too much by the share e^tau - 1.
-  const double mostTau = std::log1p(this->allowed.share / 2) / 2;
-  double thin = 0;
-  omission.tau = summary.tau.smallest(mostTau, thin);
-  const double rest = summary.tau.total() - thin;
-  omission.isOrdered = rest > mostTau;
-  omission.bound.share = std::expm1(thin + (omission.isOrdered ? 0 : rest));
-  if (rest > 0)
-  {
-    // Where drawing may end behind dust.
-    omission.bound.light += this->allowed.light / 2;
-    omission.bound.share += this->allowed.share / 2;
-  }
-  return omission;
-}
-
 /// Lists the splats that are not left out, ready to be sorted.
 void Compositor::order(TileTask& task, const Omission& omission, Workspace& work) const
 {
   work.order.resize(task.count);
   std::size_t listed = 0;
-  const bool omits = omission.light > 0 || omission.tau > 0;
   // Of equal depths the particle that comes first lies behind.
   for (std::size_t slot = task.count; slot-- > 0;)
   {
     const Splat& splat = task.splats[slot];
     work.order[listed] = keyedSlot(splat.depth, static_cast<std::uint32_t>(slot));
-    listed += !omits || !this->omits(omission, splat);
+    listed += !omission.omits() || !omission.omits(splat, task);
   }
   work.faint += task.count - listed;
   task.count = listed;
   task.order = work.order.data();
-}
-
-bool Compositor::omits(const Omission& omission, const Splat& splat) const
-{
-  const SlabLight slab = this->projection.lightOf(splat);
-  const float most = mostOfAPixel(this->options.kernel, splat.h);
-  return std::max({ slab.e[0], slab.e[1], slab.e[2] }) * most < omission.light &&
-    (splat.kind() == SplatKind::Emits ||
-      std::max({ slab.t[0], slab.t[1], slab.t[2] }) * most < omission.tau);
 }
 
 void Compositor::renderTile(
@@ -397,12 +228,11 @@ void Compositor::renderTile(
   const double start = omp_get_wtime();
   TileTask task = this->taskOf(band, tile, work);
   task.pixels = this->grid.pixelsOf(tile);
-  task.depths = dealer.depthsOf(tile);
   const double sorted = omp_get_wtime();
   work.sums.clear(task.isOneSource ? TileAbsorption::None : task.absorption);
   if (task.hasOpaque)
   {
-    this->loadOpaque(tile, task, work.sums);
+    this->loadOpaque(tile, task.pixels, dealer.depthsOf(tile), work.sums);
   }
   work.untouched += task.count - compositeTile(task, work.sums);
   this->store(tile, task, work.sums, image);
@@ -410,14 +240,20 @@ void Compositor::renderTile(
   work.seconds[1] += omp_get_wtime() - sorted;
 }
 
-void Compositor::loadOpaque(int tile, const TileTask& task, TileSums& sums) const
+void Compositor::loadOpaque(
+  int tile, const PixelBox& box, const TileDepths& depths, TileSums& sums) const
 {
-  const PixelBox& box = task.pixels;
   for (int y = box.y0; y < box.y1; ++y)
   {
-    const std::size_t first = std::size_t(this->grid.bottomOf(tile) + y) * this->camera.width +
-      (this->grid.leftOf(tile) + box.x0);
-    std::copy_n(this->options.opaqueDepth + first, box.x1 - box.x0, sums.opaque[y] + box.x0);
+    const std::size_t row = std::size_t(this->grid.bottomOf(tile) + y) * this->camera.width;
+    for (int x = box.x0; x < box.x1; ++x)
+    {
+      const double depth = this->options.opaqueDepth[row + this->grid.leftOf(tile) + x];
+      // In steps; what is before the nearest splat hides them all, what is behind the last none.
+      sums.opaque[y][x] = depth < depths.nearest ? -1.0F
+        : depth >= depths.farthest               ? std::numeric_limits<float>::infinity()
+                                                 : static_cast<float>(depths.stepOf(depth));
+    }
   }
 }
 

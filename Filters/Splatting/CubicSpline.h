@@ -1,6 +1,7 @@
 #ifndef galaxy_CubicSpline_h
 #define galaxy_CubicSpline_h
 
+#include <algorithm>
 #include <vector>
 
 namespace galaxy
@@ -9,7 +10,14 @@ namespace galaxy
 /// its integral over the plane is 1 (Monaghan & Lattanzio 1985; the integral in closed form).
 double projectedCubicSpline(double b);
 
-/// The same from a table linear in b^2, never negative; 3e-6 of the centre at worst.
+/// The most of its light that a pixel can have, h in pixels: no more than all, nor than the peak,
+/// 1.91 where h is 1.
+inline float splineMostOfAPixel(float h)
+{
+  return std::min(1.0F, 2 / (h * h));
+}
+
+/// projectedCubicSpline() from a table linear in b^2, never negative; 3e-6 of the centre at worst.
 class CubicSplineTable
 {
 public:

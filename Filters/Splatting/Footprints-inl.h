@@ -7,6 +7,7 @@
 #define galaxy_Footprints_inl_h
 #endif
 
+#include "Filters/Splatting/CubicSpline.h"
 #include "Filters/Splatting/LaneMath-inl.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/SplineWeights.h"
@@ -65,22 +66,16 @@ public:
       this->column);
     this->axis(
       a, static_cast<float>(this->box.y0 - splat.row()) - splat.y, this->box.rows, this->row);
-    this->most = mostOfAPixelAt(a);
+    this->most = gaussianMostOfAPixel(a);
     return true;
   }
   float mostOfAPixel() const { return this->most; }
-
-  /// The pixel in the middle has the most of all: no more than all, nor than the peak.
-  static float mostOfAPixelAt(float a) { return std::min(1.0F, 0.3187F * a * a); }
 
   static constexpr bool isGeneral = false; ///< else the weights are no product of row and column
   HWY_INLINE V rowAt(int y) const { return hn::Set(tag, this->row[y]); }
   HWY_INLINE V columnsAt(int x) const { return hn::LoadU(tag, this->column + x); }
   /// The weights of the lanes that begin at column x of row y of the box.
-  HWY_INLINE V weights(V at, int, int x) const
-  {
-    return hn::Mul(at, hn::LoadU(tag, this->column + x));
-  }
+  HWY_INLINE V weights(V at, int, int x) const { return hn::Mul(at, this->columnsAt(x)); }
 
 private:
   /// Above this, 1/1.7 pixels, differences of the cumulative share are used; below, where they
@@ -193,7 +188,7 @@ public:
     this->table.fill(static_cast<float>(splat.column() - this->box.x0) + splat.x,
       static_cast<float>(splat.row() - this->box.y0) + splat.y, h, this->box.columns,
       this->box.rows);
-    this->most = std::min(1.0f, 2 / (h * h)); // c(0) = 1.91
+    this->most = splineMostOfAPixel(h);
     return true;
   }
   float mostOfAPixel() const { return this->most; }

@@ -1,6 +1,8 @@
 #ifndef galaxy_GaussianKernel_h
 #define galaxy_GaussianKernel_h
 
+#include <algorithm>
+
 namespace galaxy
 {
 /// Along each axis of the image a Gaussian kernel of smoothing length h is exp(-s^2) - exp(-9),
@@ -8,8 +10,16 @@ namespace galaxy
 /// 1/2 in the middle, less that half here, so that it is odd.
 double gaussianCumulative(double s);
 
-/// The same for |s| <= end in single precision, to 1e-7: s P(2 s^2/end^2 - 1), P through the
-/// Chebyshev nodes.
+/// The most of its light that a pixel can have, a = 3 / h with h in pixels: no more than all, nor
+/// than the peak.
+inline constexpr float gaussianPeak = 0.3187F; ///< where a is 1
+inline float gaussianMostOfAPixel(float a)
+{
+  return std::min(1.0F, gaussianPeak * a * a);
+}
+
+/// gaussianCumulative() for |s| <= end in single precision, to 1e-7: s P(2 s^2/end^2 - 1), P
+/// through the Chebyshev nodes.
 struct GaussianPolynomial
 {
   static constexpr int degree = 11;

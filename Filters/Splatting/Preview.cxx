@@ -11,7 +11,7 @@ namespace
 {
 /// `width` numbers of each of the particles listed; none if there is no array.
 template <typename T>
-std::vector<T> pick(const T* values, std::size_t width, const std::vector<std::uint32_t>& which)
+std::vector<T> pick(const T* values, std::size_t width, const std::vector<std::size_t>& which)
 {
   std::vector<T> picked;
   if (values)
@@ -32,20 +32,20 @@ const T* dataOf(const std::vector<T>& values)
 }
 
 /// So many different numbers below `size` in random order, every such list with the same chance.
-std::vector<std::uint32_t> drawFrom(std::size_t size, std::size_t count)
+std::vector<std::size_t> drawFrom(std::size_t size, std::size_t count)
 {
   Random random({}, RandomStream::Preview, 0);
   const auto below = [&random](std::size_t end) {
     return std::min(static_cast<std::size_t>(random.uniform() * double(end)), end - 1);
   };
-  std::vector<std::uint32_t> drawn;
+  std::vector<std::size_t> drawn;
   drawn.reserve(count);
   // One after the other is taken with the chance that is left for it (Fan et al. 1962).
   for (std::size_t i = 0; drawn.size() < count; ++i)
   {
     if (below(size - i) < count - drawn.size())
     {
-      drawn.push_back(static_cast<std::uint32_t>(i));
+      drawn.push_back(i);
     }
   }
   for (std::size_t k = count; k > 1; --k)
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> drawFrom(std::size_t size, std::size_t count)
 PreviewSample::PreviewSample(const ParticleView& particles, std::size_t most)
   : of(particles.size)
 {
-  const std::vector<std::uint32_t> which = drawFrom(this->of, std::min(most, this->of));
+  const std::vector<std::size_t> which = drawFrom(this->of, std::min(most, this->of));
   this->position = pick(particles.position, 3, which);
   this->smoothingLength = pick(particles.smoothingLength, 1, which);
   this->intensity = pick(particles.intensity, 1, which);

@@ -17,7 +17,7 @@ namespace galaxy
 /// The radial profile of a particle, normalised to 1 in projection.
 enum class Kernel
 {
-  Gaussian,    ///< exp(-b^2/sigma^2), sigma = h/3, zero beyond h
+  Gaussian,    ///< along each axis exp(-x^2/sigma^2) - exp(-9), sigma = h/3, zero beyond h
   CubicSpline, ///< line integral of the M4 spline of support h
 };
 
@@ -91,7 +91,7 @@ struct RenderStatistics
   std::size_t sampled = 0;   ///< particles that were to stand for all (Preview)
   std::size_t untouched = 0; ///< splats in tiles behind what lets no light through
   std::size_t faint = 0;     ///< splats left out as too faint to matter (Bounded)
-  std::size_t unordered = 0; ///< tiles whose absorbers are too thin for their order to matter
+  std::size_t unordered = 0; ///< tiles with absorbers whose order does not matter
   ErrorBound bound;          ///< on the error of what was left out (Bounded)
   double thickest = 0;       ///< the largest optical depth of one particle
   std::size_t coarse = 0;    ///< tiles with fewer slices than asked for (Overlapping)

@@ -33,10 +33,7 @@ public:
   static constexpr bool isGeneral = false;
   HWY_INLINE Vector columnsAt(int x) const { return fours(this->columns, x); }
   HWY_INLINE Vector rowAt(int y) const { return hn::Set(D(), this->rows[y * batch]); }
-  HWY_INLINE Vector weights(Vector at, int, int x) const
-  {
-    return hn::Mul(at, fours(this->columns, x));
-  }
+  HWY_INLINE Vector weights(Vector at, int, int x) const { return hn::Mul(at, this->columnsAt(x)); }
 
 private:
   static HWY_INLINE Vector fours(const float* from, int x)
@@ -53,7 +50,7 @@ private:
 };
 
 /// The footprints of as many splats as a vector has lanes, prepared together: the vectors run over
-/// the splats, so that no splat waits for its own erf.
+/// the splats, so that no splat waits for its own weights.
 class SmallBatch
 {
 public:
@@ -72,12 +69,12 @@ public:
     const auto where = hn::GatherIndex(ints, words, steps);
     const auto mask = hn::Set(ints, 0x7fff);
     const auto pixel = [&](hn::Vec<Ints> packed) {
-      return hn::ConvertTo(d, hn::Sub(hn::And(packed, mask), hn::Set(ints, 0x4000)));
+      return hn::ConvertTo(d, hn::Sub(hn::And(packed, mask), hn::Set(ints, Splat::middle)));
     };
     const auto h = hn::Max(field(3), hn::Set(d, 1e-4F));
     const auto a = hn::Div(hn::Set(d, 3.0F), h);
     hn::Store(
-      hn::Min(hn::Mul(hn::Mul(a, a), hn::Set(d, 0.3187F)), hn::Set(d, 1.0F)), d, this->most);
+      hn::Min(hn::Mul(hn::Mul(a, a), hn::Set(d, gaussianPeak)), hn::Set(d, 1.0F)), d, this->most);
     const int columnsMade = this->axis(pixel(where), field(1), h, a, this->x0, this->columns,
       [&](int k, Vector w) { this->wx[k] = w; });
     for (int k = columnsMade; k < SmallGaussian::mostPixels; ++k)
@@ -88,7 +85,7 @@ public:
       this->wx[0], this->wx[1], this->wx[2], this->wx[3], d, this->columnWeights);
     hn::StoreInterleaved4(
       this->wx[4], this->wx[5], this->wx[6], this->wx[7], d, this->columnWeights + 4 * size);
-    this->axis(pixel(hn::ShiftRight<15>(where)), field(2), h, a, this->y0, this->rows,
+    this->axis(pixel(hn::ShiftRight<Splat::rowBit>(where)), field(2), h, a, this->y0, this->rows,
       [&](int k, Vector w) { hn::Store(w, d, this->rowWeights[k]); });
   }
 

@@ -53,6 +53,24 @@ struct Range
   HWY_INLINE hn::Vec<Ints> lastTile() const { return hn::ShiftRight<tileBits>(this->last); }
 };
 
+HWY_INLINE W loaded(const float* from)
+{
+  return hn::PromoteTo(wide, hn::LoadU(half, from));
+}
+
+HWY_INLINE W sizeOf(W x, W y, W z)
+{
+  return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z)));
+}
+
+/// Particles with a place and a size: neither NaN nor infinite, the size not negative.
+HWY_INLINE hn::Mask<Wide> areSane(const BlockPlaces& p, int k)
+{
+  const W r = loaded(p.radius + k);
+  const W size = sizeOf(loaded(p.x + k), loaded(p.y + k), loaded(p.z + k));
+  return hn::And(hn::Lt(hn::Add(size, r), hn::Set(wide, 1e30)), hn::Ge(r, hn::Zero(wide)));
+}
+
 /// Particles seen through a camera.
 struct Seen
 {
@@ -60,25 +78,15 @@ struct Seen
   W ratio;              ///< pixels per kpc
   W x, y, h; ///< pixels from the grid's corner; h is negative, which touches nothing, of what is
              ///< not shown
-  hn::Mask<Wide> isSane;
 
   HWY_INLINE Seen(const BlockPlaces& p, int k, const Camera& c, const TileGrid& grid)
   {
-    const auto coordinate = [k](const float* from, double eye) {
-      return hn::Sub(hn::PromoteTo(wide, hn::LoadU(half, from + k)), hn::Set(wide, eye));
-    };
-    const W dx = coordinate(p.x, c.eye.x);
-    const W dy = coordinate(p.y, c.eye.y);
-    const W dz = coordinate(p.z, c.eye.z);
-    const W r = hn::PromoteTo(wide, hn::LoadU(half, p.radius + k));
-    const auto sizeOf = [](W x, W y, W z) {
-      return hn::Add(hn::Abs(x), hn::Add(hn::Abs(y), hn::Abs(z)));
-    };
+    const W dx = hn::Sub(loaded(p.x + k), hn::Set(wide, c.eye.x));
+    const W dy = hn::Sub(loaded(p.y + k), hn::Set(wide, c.eye.y));
+    const W dz = hn::Sub(loaded(p.z + k), hn::Set(wide, c.eye.z));
+    const W r = loaded(p.radius + k);
     // NaN is not less than anything.
-    const W far = hn::Set(wide, 1e30);
-    const W size = sizeOf(coordinate(p.x, 0), coordinate(p.y, 0), coordinate(p.z, 0));
-    this->isSane = hn::And(hn::Lt(hn::Add(size, r), far), hn::Ge(r, hn::Zero(wide)));
-    const auto isSeen = hn::And(this->isSane, hn::Lt(sizeOf(dx, dy, dz), far));
+    const auto isSeen = hn::Lt(sizeOf(dx, dy, dz), hn::Set(wide, 1e30));
     this->right = sumOfProducts(dx, c.right.x, dy, c.right.y, dz, c.right.z);
     this->up = sumOfProducts(dx, c.up.x, dy, c.up.y, dz, c.up.z);
     this->forward = sumOfProducts(dx, c.forward.x, dy, c.forward.y, dz, c.forward.z);
@@ -131,10 +139,11 @@ void locateVectors(
   {
     const Seen seen(places, k, c, grid);
     storeTiles(seen, c, grid, k, tiles);
-    if (!hn::AllTrue(wide, seen.isSane))
+    const auto isSane = areSane(places, k);
+    if (!hn::AllTrue(wide, isSane))
     {
       HWY_ALIGN double odd[8];
-      hn::StoreU(hn::IfThenElse(seen.isSane, hn::Zero(wide), hn::Set(wide, 1.0)), wide, odd);
+      hn::StoreU(hn::IfThenElse(isSane, hn::Zero(wide), hn::Set(wide, 1.0)), wide, odd);
       for (std::size_t lane = 0; lane < hn::Lanes(wide); ++lane)
       {
         tiles.home[k + lane] = odd[lane] > 0 ? TileHome::invalid : tiles.home[k + lane];

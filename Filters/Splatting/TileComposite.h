@@ -19,7 +19,6 @@ struct TileTask
   const KeyedSlot* order = nullptr; ///< from the nearest to the farthest; null: as they lie
   std::size_t count = 0;
   PixelBox pixels; ///< of the tile that lie in the picture
-  TileDepths depths;
   Kernel kernel = Kernel::Gaussian;
   TileAbsorption absorption = TileAbsorption::None;
   bool isOneSource = false; ///< then only optical depths are added up, as if they were light

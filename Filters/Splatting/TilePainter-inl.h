@@ -9,6 +9,7 @@
 
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
+#include "Filters/Splatting/TileMoves-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace galaxy
@@ -98,6 +99,7 @@ private:
   static constexpr int planes = absorption == TileAbsorption::None ? 0
     : absorption == TileAbsorption::Grey                           ? 1
                                                                    : 3;
+  using Moves = TileMoves<planes>;
 
   /// Now and then, before splat k: true if the rest is negligible.
   HWY_INLINE bool endsBefore(std::size_t k, std::size_t step)
@@ -110,7 +112,7 @@ private:
   {
     if ((k + step) % lightMovesAfter < step)
     {
-      this->moveLight();
+      Moves::light(this->sums);
     }
   }
 
@@ -201,8 +203,8 @@ private:
     if constexpr (hasOpaque)
     {
       const auto opaque = hn::LoadU(d, &this->sums.opaque[y][x]);
-      const auto depth = static_cast<float>(this->task.depths.depthOf(splat.depth));
-      return hn::IfThenZeroElse(hn::Lt(opaque, hn::Set(d, depth)), w);
+      const auto depth = hn::Set(d, static_cast<float>(splat.depth));
+      return hn::IfThenZeroElse(hn::Lt(opaque, depth), w);
     }
     return w;
   }
@@ -241,27 +243,29 @@ private:
     switch (hasOpaque || Footprint::isGeneral ? 0 : vectors)
     {
       case 1:
-        return this->emitRows<1>(light, footprint);
+        return this->emitRows<1>(splat, light, footprint);
       case 2:
-        return this->emitRows<2>(light, footprint);
+        return this->emitRows<2>(splat, light, footprint);
       case 3:
-        return this->emitRows<3>(light, footprint);
+        return this->emitRows<3>(splat, light, footprint);
       case 4:
-        return this->emitRows<4>(light, footprint);
+        return this->emitRows<4>(splat, light, footprint);
       default:
-        return this->emitAny(splat, light, footprint);
+        return this->emitRows<0>(splat, light, footprint);
     }
   }
 
+  /// Rows of so many vectors; 0: of any number, and of weights of any kind.
   template <int vectors, class Footprint>
-  HWY_INLINE void emitRows(const float* light, const Footprint& footprint)
+  HWY_INLINE void emitRows(const Splat& splat, const float* light, const Footprint& footprint)
   {
     using D = typename Footprint::D;
     using Vector = hn::Vec<D>;
     const D d;
     const int N = lanes(d);
     const Box box = footprint.box;
-    Vector columns[vectors];
+    const int count = vectors > 0 ? vectors : (box.columns + N - 1) / N;
+    Vector columns[std::max(vectors, 1)];
     for (int k = 0; k < vectors; ++k)
     {
       columns[k] = footprint.columnsAt(k * N);
@@ -270,38 +274,15 @@ private:
     float* HWY_RESTRICT sum = &this->sums.recentLight.values[0][box.y0][box.x0];
     for (int y = 0; y < box.rows; ++y, sum += tileStride)
     {
-      const Vector row = footprint.rowAt(y);
-      for (int k = 0; k < vectors; ++k)
+      const auto row = footprint.rowAt(y);
+      for (int k = 0; k < count; ++k)
       {
-        const Vector w = hn::Mul(row, columns[k]);
+        const Vector w = vectors > 0
+          ? hn::Mul(row, columns[k])
+          : this->seen(d, footprint.weights(row, y, k * N), splat, box.y0 + y, box.x0 + k * N);
         for (int c = 0; c < 3; ++c)
         {
           float* HWY_RESTRICT at = sum + c * planeSize + k * N;
-          hn::StoreU(hn::MulAdd(w, e[c], hn::LoadU(d, at)), d, at);
-        }
-      }
-    }
-  }
-
-  template <class Footprint>
-  HWY_NOINLINE void emitAny(const Splat& splat, const float* light, const Footprint& footprint)
-  {
-    using D = typename Footprint::D;
-    using Vector = hn::Vec<D>;
-    const D d;
-    const Box box = footprint.box;
-    const Vector e[3] = { hn::Set(d, light[0]), hn::Set(d, light[1]), hn::Set(d, light[2]) };
-    const int N = lanes(d);
-    float* HWY_RESTRICT sum = &this->sums.recentLight.values[0][box.y0][box.x0];
-    for (int y = 0; y < box.rows; ++y, sum += tileStride)
-    {
-      const auto row = footprint.rowAt(y);
-      for (int x = 0; x < box.columns; x += N)
-      {
-        const Vector w = this->seen(d, footprint.weights(row, y, x), splat, box.y0 + y, box.x0 + x);
-        for (int c = 0; c < 3; ++c)
-        {
-          float* HWY_RESTRICT at = sum + c * planeSize + x;
           hn::StoreU(hn::MulAdd(w, e[c], hn::LoadU(d, at)), d, at);
         }
       }
@@ -367,70 +348,10 @@ private:
     }
   }
 
-  using Four = hn::CappedTag<double, 4>;
-  using FourHalves = hn::Rebind<float, Four>;
-
-  /// Adds what float holds to double and clears it; the sum.
-  static HWY_INLINE hn::Vec<Four> move(float* recent, double* sum)
-  {
-    const Four wide;
-    const FourHalves half;
-    const auto all = hn::Add(hn::LoadU(wide, sum), hn::PromoteTo(wide, hn::LoadU(half, recent)));
-    hn::StoreU(all, wide, sum);
-    hn::StoreU(hn::Zero(half), half, recent);
-    return all;
-  }
-
-  HWY_NOINLINE void moveLight()
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int y = 0; y < tileSide; ++y)
-      {
-        for (int x = 0; x < tileSide; x += lanes(Four()))
-        {
-          const auto all =
-            move(&this->sums.recentLight.values[c][y][x], &this->sums.light.values[c][y][x]);
-          if constexpr (planes > 0)
-          {
-            hn::StoreU(hn::DemoteTo(FourHalves(), all), FourHalves(),
-              &this->sums.movedLight.values[c][y][x]);
-          }
-        }
-      }
-    }
-  }
-
-  /// Moves the optical depth and the light kept, and makes the transmittance anew.
-  HWY_NOINLINE void moveTau(int column, int row)
+  void moveTau(int column, int row)
   {
     this->veils[row][column] = 0;
-    const FourHalves half;
-    const int N = lanes(half);
-    const int x0 = column * blockSide, x1 = x0 + blockSide;
-    for (int y = row * blockSide; y < (row + 1) * blockSide; ++y)
-    {
-      for (int x = x0; x < x1; x += N)
-      {
-        for (int plane = 0; plane < planes; ++plane)
-        {
-          const auto tau = hn::DemoteTo(half,
-            move(&this->sums.recentTau.values[plane][y][x], &this->sums.tau.values[plane][y][x]));
-          const auto through = hn::Exp(half, hn::Neg(tau));
-          float* at = &this->sums.through.values[plane][y][x];
-          const auto hidden = hn::Sub(hn::LoadU(half, at), through);
-          hn::StoreU(through, half, at);
-          for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
-          {
-            const auto all = hn::Add(hn::LoadU(half, &this->sums.recentLight.values[c][y][x]),
-              hn::LoadU(half, &this->sums.movedLight.values[c][y][x]));
-            float* kept = &this->sums.recentKept.values[c][y][x];
-            hn::StoreU(hn::MulAdd(hidden, all, hn::LoadU(half, kept)), half, kept);
-            move(kept, &this->sums.kept.values[c][y][x]);
-          }
-        }
-      }
-    }
+    Moves::tau(this->sums, column * blockSide, row * blockSide, blockSide);
   }
 
   void moveAllTau()
@@ -444,7 +365,7 @@ private:
 
   void finish()
   {
-    this->moveLight();
+    Moves::light(this->sums);
     if constexpr (planes > 0)
     {
       this->moveAllTau();

@@ -72,7 +72,7 @@ struct TileSums
     }
   }
 
-  alignas(64) float opaque[tileSide][tileStride]; ///< depth of opaque geometry, kpc
+  alignas(64) float opaque[tileSide][tileStride]; ///< depth of opaque geometry, as Splat::depth
 };
 } // namespace galaxy
 

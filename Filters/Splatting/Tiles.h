@@ -17,8 +17,7 @@ namespace galaxy
 struct TileBand
 {
   int firstTile = 0;
-  int lastTile = 0; ///< one beyond
-  bool has(int tile) const { return tile >= this->firstTile && tile < this->lastTile; }
+  int lastTile = 0;               ///< one beyond
   std::vector<std::size_t> first; ///< of each tile's splats, and of those after the last
   SplatMemory splats;             ///< tile after tile, in a tile by the particles' index
   ProjectionCounts counts;        ///< of the particles that have a splat here

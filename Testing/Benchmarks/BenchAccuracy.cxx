@@ -142,7 +142,6 @@ void benchLevels(const Case& c, Output& output)
   RenderMemory memory;
   RenderOptions options;
   options.memory = &memory;
-  const ToneMap none;
   const double start = omp_get_wtime();
   const RenderedImage exact = renderReference(c.view, c.camera, options);
   const double seconds = omp_get_wtime() - start;

@@ -1,13 +1,13 @@
 // Hard cases of drawing, numbered as in the other TestHardCases files; those without a number are
 // letters. Each adds a line to a table, which is printed at the end.
 #include "Filters/Splatting/GaussianKernel.h"
+#include "HardCaseTable.h"
 #include "RenderFixtures.h"
 
 #include <gtest/gtest.h>
 
 #include <omp.h>
 
-#include <cstdio>
 #ifdef __SSE2__
 #include <pmmintrin.h>
 #include <xmmintrin.h>
@@ -18,55 +18,6 @@ namespace
 using namespace galaxy;
 
 constexpr double pi = 3.14159265358979323846;
-
-/// The table, printed when all tests are done.
-class Table : public ::testing::Environment
-{
-public:
-  static void add(
-    const char* name, const char* what, double expected, double got, double error, double allowed)
-  {
-    char line[256];
-    std::snprintf(line, sizeof(line), "| %s | %s | %.9g | %.9g | %.2g | %.2g | %s |", name, what,
-      expected, got, error, allowed, error <= allowed ? "pass" : "FAIL");
-    lines().emplace_back(line);
-  }
-  void TearDown() override
-  {
-    std::printf(
-      "\n| case | what | expected | got | error | allowed | |\n|---|---|---|---|---|---|---|\n");
-    for (const std::string& line : lines())
-    {
-      std::printf("%s\n", line.c_str());
-    }
-  }
-
-private:
-  static std::vector<std::string>& lines()
-  {
-    static std::vector<std::string> all;
-    return all;
-  }
-};
-const auto* const table = ::testing::AddGlobalTestEnvironment(new Table);
-
-/// Relative to what is expected, or absolute where that is 0.
-void check(const char* name, const char* what, double expected, double got, double allowed)
-{
-  const double error = std::abs(got - expected) / (expected != 0 ? std::abs(expected) : 1);
-  Table::add(name, what, expected, got, error, allowed);
-  EXPECT_LE(error, allowed) << name << ' ' << what << ": " << got << " for " << expected;
-}
-
-/// The largest difference of two pictures, of the brightest pixel.
-void checkSame(const char* name, const char* what, const RenderedImage& a, const RenderedImage& b,
-  double allowed)
-{
-  const double light =
-    largestDifference(a.radiance, b.radiance) / std::max(1e-300, largest(a.radiance));
-  check(
-    name, what, 0, std::max(light, largestDifference(a.transmittance, b.transmittance)), allowed);
-}
 
 bool isFinite(const RenderedImage& image)
 {
@@ -334,7 +285,7 @@ TEST(HardCasesLight, Invariance)
     square += std::pow((double(exact.radiance[k]) - once.radiance[k]) / largest(exact.radiance), 2);
   }
   const double psnr = -10 * std::log10(square / exact.radiance.size());
-  Table::add("41", "float against double, PSNR in dB (error: 120 - PSNR)", 120, psnr,
+  HardCaseTable::add("41", "float against double, PSNR in dB (error: 120 - PSNR)", 120, psnr,
     std::max(0.0, 120 - psnr), 0);
   EXPECT_GT(psnr, 120);
 }

@@ -1,0 +1,135 @@
+#include "Filters/Splatting/TileSummary.h"
+
+#include "Filters/Splatting/CubicSpline.h"
+#include "Filters/Splatting/GaussianKernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace galaxy
+{
+namespace
+{
+float mostOf(const float* channels)
+{
+  return std::max({ channels[0], channels[1], channels[2] });
+}
+
+/// The most of a splat's light, or optical depth, that a pixel can have.
+float mostOfAPixel(Kernel kernel, float h)
+{
+  return kernel == Kernel::Gaussian ? gaussianMostOfAPixel(3 / h) : splineMostOfAPixel(h);
+}
+} // namespace
+
+void SumsBySize::add(float x)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  this->sums[std::min<int>(bits >> 23 & 0xff, exponents - 1)] += x;
+  this->all += x;
+}
+
+float SumsBySize::smallest(double most, double& sum) const
+{
+  sum = 0;
+  int exponent = 0;
+  for (; exponent < exponents && sum + this->sums[exponent] <= most; ++exponent)
+  {
+    sum += this->sums[exponent];
+  }
+  return sum == 0          ? 0
+    : exponent < exponents ? std::ldexp(1.0F, exponent - 127)
+                           : std::numeric_limits<float>::infinity();
+}
+
+double OneSource::source(int channel) const
+{
+  return std::max(0.0, this->S[channel]);
+}
+
+void OneSource::add(const SlabLight& slab)
+{
+  for (int c = 0; c < 3 && this->isOne; ++c)
+  {
+    if (slab.t[c] > 0 && this->S[c] < 0)
+    {
+      this->S[c] = double(slab.e[c]) / slab.t[c];
+    }
+    // Products that were rounded to float.
+    this->isOne = std::abs(slab.e[c] - this->source(c) * slab.t[c]) <= 5e-7 * slab.e[c];
+  }
+}
+
+bool Omission::omits(const Splat& splat, const TileTask& task) const
+{
+  const SlabLight slab = task.projection->lightOf(splat);
+  const float most = mostOfAPixel(task.kernel, splat.h);
+  const bool isFaint = splat.kind() == SplatKind::Absorbs || mostOf(slab.e) * most < this->light;
+  const bool isThin = splat.kind() == SplatKind::Emits || mostOf(slab.t) * most < this->tau;
+  return isFaint && isThin;
+}
+
+TileSummary::TileSummary(const TileTask& task, bool sums)
+{
+  sums ? this->add<true>(task) : this->add<false>(task);
+}
+
+template <bool sums>
+void TileSummary::add(const TileTask& task)
+{
+  for (std::size_t slot = 0; slot < task.count; ++slot)
+  {
+    const Splat& splat = task.splats[slot];
+    const SlabLight slab = task.projection->lightOf(splat);
+    const float most = mostOf(slab.e);
+    this->brightest = std::max(this->brightest, most);
+    if (this->source.holds())
+    {
+      this->source.add(slab);
+    }
+    if (sums)
+    {
+      this->light.add(most * mostOfAPixel(task.kernel, splat.h));
+    }
+    if (splat.kind() != SplatKind::Emits)
+    {
+      const bool isGrey = slab.t[0] == slab.t[1] && slab.t[1] == slab.t[2];
+      this->absorption =
+        std::max(this->absorption, isGrey ? TileAbsorption::Grey : TileAbsorption::Color);
+      const float depth = mostOf(slab.t) * mostOfAPixel(task.kernel, splat.h);
+      this->thickest = std::max(this->thickest, depth);
+      if (sums)
+      {
+        this->tau.add(depth);
+      }
+    }
+  }
+}
+
+Omission TileSummary::omission(const ErrorBound& allowed) const
+{
+  Omission omission;
+  if (allowed.light <= 0 && allowed.share <= 0)
+  {
+    return omission;
+  }
+  omission.light = this->light.smallest(allowed.light / 2, omission.bound.light);
+  // Dimmed by e^-tau too little, light is too much by the share e^tau - 1.
+  const double mostTau = std::log1p(allowed.share / 2) / 2;
+  double thin = 0;
+  omission.tau = this->tau.smallest(mostTau, thin);
+  const double rest = this->tau.total() - thin;
+  omission.isOrdered = rest > mostTau;
+  omission.bound.share = std::expm1(thin + (omission.isOrdered ? 0 : rest));
+  if (rest > 0)
+  {
+    // Where drawing may end behind dust.
+    omission.bound.light += allowed.light / 2;
+    omission.bound.share += allowed.share / 2;
+  }
+  return omission;
+}
+} // namespace galaxy
