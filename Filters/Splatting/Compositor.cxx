@@ -284,9 +284,8 @@ void Compositor::store(
           continue;
         }
         const int plane = task.absorption == TileAbsorption::Grey ? 0 : c;
-        const double T = std::exp(-sums.tau.values[plane][y][x]);
-        image.radiance[k] = static_cast<float>(sums.kept.values[c][y][x] + T * light);
-        image.transmittance[k] = static_cast<float>(T);
+        image.radiance[k] = static_cast<float>(light);
+        image.transmittance[k] = static_cast<float>(std::exp(-sums.tau.values[plane][y][x]));
       }
     }
   }

@@ -171,6 +171,106 @@ private:
   HWY_ALIGN float row[tileStride];
 };
 
+/// The Gaussian kernel's means over all pixels of a tile's row and column, of splats no narrower
+/// than `narrowest`.
+class WideGaussian
+{
+public:
+  static constexpr float narrowest = 5; ///< pixels of h
+
+  /// `column` and `row` have room for tileStride numbers and end with zeros.
+  static HWY_INLINE void weights(const Splat& splat, float* column, float* row)
+  {
+    const float a = 3 / splat.h, b = a * a;
+    const float left = static_cast<float>(splat.column()) + splat.x;
+    const float bottom = static_cast<float>(splat.row()) + splat.y;
+    // By powers of z = (a x)^2.
+    const float scale = a * norm;
+    const float c[4] = { scale * (1 - b / 12 + b * b / 160 - b * b * b / 2688),
+      scale * (b / 6 - b * b / 40 + b * b * b / 448), scale * (b * b / 120 - b * b * b / 672),
+      scale * (b * b * b / 5040) };
+    // The pixels that the kernel ends in.
+    HWY_ALIGN float part[4];
+    float* at[4];
+    const auto end = [&](int k, float place, float* share) {
+      const float pixel = __builtin_floorf(place);
+      const bool isInTile = pixel >= 0 && pixel < static_cast<float>(tileSide);
+      at[k] = share + (isInTile ? static_cast<int>(pixel) : tileSide);
+      const float inside = place - pixel;
+      part[k] = a * (k % 2 == 0 ? 1 - inside : inside);
+    };
+    end(0, left - splat.h, column);
+    end(1, left + splat.h, column);
+    end(2, bottom - splat.h, row);
+    end(3, bottom + splat.h, row);
+    axis(a, left, c, column);
+    axis(a, bottom, c, row);
+    using Ends = hn::CappedTag<float, 4>;
+    const Ends ends;
+    for (int k = 0; k < 4; k += lanes(ends))
+    {
+      hn::Store(shareAtEnd(ends, hn::Load(ends, part + k)), ends, part + k);
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      *at[k] = part[k];
+    }
+    column[tileSide] = row[tileSide] = 0;
+  }
+
+private:
+  static constexpr float atEnd = 1.2340980e-4F; ///< e^-9
+  static constexpr float norm = 0.56443785F;    ///< 1 / integral of the kernel
+
+  static HWY_INLINE void axis(float a, float centre, const float* c, float* share)
+  {
+    const auto number = [](float x) { return hn::Set(tag, x); };
+    const V c0 = number(c[0]), c1 = number(c[1]), c2 = number(c[2]), c3 = number(c[3]);
+    const V edge = number(a * norm * atEnd);
+    V s = hn::Mul(number(a), hn::Add(hn::Iota(tag, 0), number(0.5F - centre)));
+    const V step = number(a * static_cast<float>(lanes()));
+    for (int i = 0; i < tileSide; i += lanes())
+    {
+      const V z = hn::Min(hn::Mul(s, s), number(10));
+      const V sum = hn::MulAdd(hn::MulAdd(hn::MulAdd(c3, z, c2), z, c1), z, c0);
+      const V mean = hn::MulSub(decay(z), sum, edge);
+      hn::Store(hn::Max(mean, hn::Zero(tag)), tag, share + i);
+      s = hn::Add(s, step);
+    }
+    for (int i = tileSide; i < tileStride; i += lanes())
+    {
+      hn::Store(hn::Zero(tag), tag, share + i);
+    }
+  }
+
+  /// e^-z for 0 <= z <= 10, as the eighth power of a polynomial: 4e-7.
+  static HWY_INLINE V decay(V z)
+  {
+    const auto number = [](float x) { return hn::Set(tag, x); };
+    V sum = number(-5.11935616e-11F);
+    for (const float c : { 4.66749227e-9F, -2.49263528e-7F, 1.01495882e-5F, -3.25463543e-4F, 0.00781242919F, -0.124999966F, 0.999999997F })
+    {
+      sum = hn::MulAdd(sum, z, number(c));
+    }
+    sum = hn::Mul(sum, sum);
+    sum = hn::Mul(sum, sum);
+    return hn::Mul(sum, sum);
+  }
+
+  /// The share of the last e before the end, in s: the integral of e^-9 (exp(6 s - s^2) - 1), whose
+  /// terms are Hermite's numbers at 3.
+  template <class D>
+  static HWY_INLINE hn::Vec<D> shareAtEnd(D d, hn::Vec<D> e)
+  {
+    auto sum = hn::Set(d, 0.0999F);
+    for (const float c : { 0.9679F, 2.8048F, 5.3F, 7.3F, 7.5F, 5.6666667F, 3.0F })
+    {
+      sum = hn::MulAdd(sum, e, hn::Set(d, c));
+    }
+    return hn::Mul(hn::Mul(hn::Set(d, norm * atEnd), sum), hn::Mul(e, e));
+  }
+};
+
 /// The projected cubic spline, see SplineWeights.
 class Spline
 {

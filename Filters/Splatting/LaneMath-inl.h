@@ -56,32 +56,25 @@ HWY_INLINE hn::Vec<D> cumulative(D d, hn::Vec<D> u)
   return hn::Mul(v, hn::MulAdd(odd, s, even));
 }
 
-/// phi(t) by its Taylor series, 2e-8 for t < 1/8.
-template <class D>
-HWY_INLINE hn::Vec<D> phiOfThin(D d, hn::Vec<D> t)
+/// (e^t - 1) / t by its Taylor series: 1e-7 for t <= 1/8, or for t <= 2.
+template <bool isThin, class D>
+HWY_INLINE hn::Vec<D> growth(D d, hn::Vec<D> t)
 {
-  auto sum = hn::Set(d, 1.0F / 120);
-  sum = hn::NegMulAdd(sum, t, hn::Set(d, 1.0F / 24));
-  sum = hn::NegMulAdd(sum, t, hn::Set(d, 1.0F / 6));
-  sum = hn::NegMulAdd(sum, t, hn::Set(d, 0.5F));
-  return hn::NegMulAdd(sum, t, hn::Set(d, 1.0F));
-}
-
-/// phi(t) and e^-t by phi's series below 1/2 and by definition above: 2e-7 everywhere.
-template <class D>
-HWY_INLINE void phiOfAny(D d, hn::Vec<D> t, hn::Vec<D>& phi, hn::Vec<D>& decay)
-{
-  auto sum = hn::Set(d, 1.0F / 362880);
-  for (const float c :
-    { 1.0F / 40320, 1.0F / 5040, 1.0F / 720, 1.0F / 120, 1.0F / 24, 1.0F / 6, 0.5F, 1.0F })
+  constexpr int last = isThin ? 4 : 14;
+  constexpr auto oneOverFactorial = [](int k) {
+    double product = 1;
+    for (int i = 2; i <= k; ++i)
+    {
+      product /= i;
+    }
+    return static_cast<float>(product);
+  };
+  auto sum = hn::Set(d, oneOverFactorial(last + 1));
+  for (int k = last; k > 0; --k)
   {
-    sum = hn::NegMulAdd(sum, t, hn::Set(d, c));
+    sum = hn::MulAdd(sum, t, hn::Set(d, oneOverFactorial(k)));
   }
-  const auto one = hn::Set(d, 1.0F);
-  const auto thick = hn::Exp(d, hn::Neg(t));
-  const auto isThin = hn::Lt(t, hn::Set(d, 0.5F));
-  phi = hn::IfThenElse(isThin, sum, hn::Div(hn::Sub(one, thick), t));
-  decay = hn::IfThenElse(isThin, hn::NegMulAdd(t, sum, one), thick);
+  return sum;
 }
 } // namespace HWY_NAMESPACE
 } // namespace galaxy

@@ -21,7 +21,10 @@ public:
   using D = Tag;
   using Vector = hn::Vec<D>;
   static constexpr int batch = static_cast<int>(hn::MaxLanes(D()));
-  static constexpr int mostPixels = 8; ///< along each axis
+  static constexpr int mostPixels = 16; ///< along each axis
+
+  /// Pixels of h: of larger ones the differences of the cumulative share would lose digits.
+  static constexpr float largest = 8;
 
   Box box;
   float most;
@@ -42,7 +45,8 @@ private:
     if constexpr (batch == 8)
     {
       const hn::Half<D> half;
-      return hn::Combine(D(), hn::LoadU(half, from + 4 * batch), hn::LoadU(half, from));
+      const float* at = from + x * batch;
+      return hn::Combine(D(), hn::LoadU(half, at + 4 * batch), hn::LoadU(half, at));
     }
 #endif
     return hn::LoadU(D(), from + x / 4 * 4 * batch + x % 4);
@@ -77,22 +81,27 @@ public:
       hn::Min(hn::Mul(hn::Mul(a, a), hn::Set(d, gaussianPeak)), hn::Set(d, 1.0F)), d, this->most);
     const int columnsMade = this->axis(pixel(where), field(1), h, a, this->x0, this->columns,
       [&](int k, Vector w) { this->wx[k] = w; });
-    for (int k = columnsMade; k < SmallGaussian::mostPixels; ++k)
+    // Whole vectors of columns are read.
+    const int columnsRead = (columnsMade + lanes() - 1) / lanes() * lanes();
+    for (int k = columnsMade; k < columnsRead; ++k)
     {
       this->wx[k] = hn::Zero(d);
     }
-    hn::StoreInterleaved4(
-      this->wx[0], this->wx[1], this->wx[2], this->wx[3], d, this->columnWeights);
-    hn::StoreInterleaved4(
-      this->wx[4], this->wx[5], this->wx[6], this->wx[7], d, this->columnWeights + 4 * size);
+    for (int k = 0; k < columnsRead; k += 4)
+    {
+      hn::StoreInterleaved4(this->wx[k], this->wx[k + 1], this->wx[k + 2], this->wx[k + 3], d,
+        this->columnWeights + k * size);
+    }
     this->axis(pixel(hn::ShiftRight<Splat::rowBit>(where)), field(2), h, a, this->y0, this->rows,
       [&](int k, Vector w) { hn::Store(w, d, this->rowWeights[k]); });
   }
 
   bool touches(int k) const { return this->columns[k] > 0 && this->rows[k] > 0; }
+  int pixels(int k) const { return this->columns[k] * this->rows[k]; }
   bool isSmall(int k) const
   {
-    return std::max(this->columns[k], this->rows[k]) <= SmallGaussian::mostPixels;
+    return std::max(this->columns[k], this->rows[k]) <= SmallGaussian::mostPixels &&
+      this->splats[k].h <= SmallGaussian::largest;
   }
   HWY_INLINE SmallGaussian footprint(int k) const
   {

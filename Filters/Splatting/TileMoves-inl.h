@@ -7,7 +7,7 @@
 #define galaxy_TileMoves_inl_h
 #endif
 
-#include "Filters/Splatting/LaneMath-inl.h"
+#include "Filters/Splatting/Footprints-inl.h"
 #include "Filters/Splatting/TileSums.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,56 +15,29 @@ namespace galaxy
 {
 namespace HWY_NAMESPACE
 {
-/// Moves what TileSums holds in float to double, with so many planes of transmittance.
+/// Moves a span of TileSums, with so many planes of optical depth, from float to double.
 template <int planes>
 class TileMoves
 {
 public:
-  /// The undimmed light of all pixels.
-  static HWY_NOINLINE void light(TileSums& sums)
+  /// Of the pixels of a box, and some beside them.
+  static HWY_NOINLINE void move(TileSums& sums, const Box& box)
   {
-    for (int c = 0; c < 3; ++c)
+    const int N = lanes(FourHalves());
+    for (int y = box.y0; y < box.y0 + box.rows; ++y)
     {
-      for (int y = 0; y < tileSide; ++y)
+      for (int x = box.x0 / N * N; x < box.x0 + box.columns; x += N)
       {
-        for (int x = 0; x < tileSide; x += lanes(Four()))
+        if constexpr (planes == 0)
         {
-          const auto all = move(&sums.recentLight.values[c][y][x], &sums.light.values[c][y][x]);
-          if constexpr (planes > 0)
+          for (int c = 0; c < 3; ++c)
           {
-            hn::StoreU(
-              hn::DemoteTo(FourHalves(), all), FourHalves(), &sums.movedLight.values[c][y][x]);
+            add(taken(sums.emitted.values[c][y] + x), sums.light.values[c][y] + x);
           }
         }
-      }
-    }
-  }
-
-  /// The optical depth and the light kept of a square of pixels; makes the transmittance anew.
-  static HWY_NOINLINE void tau(TileSums& sums, int x0, int y0, int side)
-  {
-    const FourHalves half;
-    const int N = lanes(half);
-    for (int y = y0; y < y0 + side; ++y)
-    {
-      for (int x = x0; x < x0 + side; x += N)
-      {
         for (int plane = 0; plane < planes; ++plane)
         {
-          const auto tau = hn::DemoteTo(
-            half, move(&sums.recentTau.values[plane][y][x], &sums.tau.values[plane][y][x]));
-          const auto through = hn::Exp(half, hn::Neg(tau));
-          float* at = &sums.through.values[plane][y][x];
-          const auto hidden = hn::Sub(hn::LoadU(half, at), through);
-          hn::StoreU(through, half, at);
-          for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
-          {
-            const auto all = hn::Add(hn::LoadU(half, &sums.recentLight.values[c][y][x]),
-              hn::LoadU(half, &sums.movedLight.values[c][y][x]));
-            float* kept = &sums.recentKept.values[c][y][x];
-            hn::StoreU(hn::MulAdd(hidden, all, hn::LoadU(half, kept)), half, kept);
-            move(kept, &sums.kept.values[c][y][x]);
-          }
+          moveSpan(sums, plane, y, x);
         }
       }
     }
@@ -73,15 +46,37 @@ public:
 private:
   using Four = hn::CappedTag<double, 4>;
   using FourHalves = hn::Rebind<float, Four>;
+  using Vector = hn::Vec<FourHalves>;
 
-  /// Adds what float holds to double and clears it; the sum.
-  static HWY_INLINE hn::Vec<Four> move(float* recent, double* sum)
+  static HWY_INLINE void moveSpan(TileSums& sums, int plane, int y, int x)
+  {
+    const FourHalves half;
+    const auto tau = add(taken(sums.depth.values[plane][y] + x), sums.tau.values[plane][y] + x);
+    const Vector through = hn::Exp(half, hn::Neg(hn::DemoteTo(half, tau)));
+    hn::StoreU(through, half, sums.through.values[plane][y] + x);
+    // One plane of optical depth stands for all three channels.
+    for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
+    {
+      const Vector span =
+        hn::Add(taken(sums.emitted.values[c][y] + x), taken(sums.surplus.values[c][y] + x));
+      add(hn::Mul(through, span), sums.light.values[c][y] + x);
+    }
+  }
+
+  /// What is there, which becomes 0.
+  static HWY_INLINE Vector taken(float* from)
+  {
+    const FourHalves half;
+    const Vector all = hn::LoadU(half, from);
+    hn::StoreU(hn::Zero(half), half, from);
+    return all;
+  }
+
+  static HWY_INLINE hn::Vec<Four> add(Vector more, double* sum)
   {
     const Four wide;
-    const FourHalves half;
-    const auto all = hn::Add(hn::LoadU(wide, sum), hn::PromoteTo(wide, hn::LoadU(half, recent)));
+    const auto all = hn::Add(hn::LoadU(wide, sum), hn::PromoteTo(wide, more));
     hn::StoreU(all, wide, sum);
-    hn::StoreU(hn::Zero(half), half, recent);
     return all;
   }
 };

@@ -7,9 +7,11 @@
 #define galaxy_TilePainter_inl_h
 #endif
 
+#include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TileMoves-inl.h"
+#include "Filters/Splatting/WideBatch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace galaxy
@@ -36,13 +38,12 @@ public:
     for (; k < this->task.count && !this->endsBefore(k, 1); ++k)
     {
       const Splat& splat = this->next(k);
-      if (footprint.prepare(splat))
+      if (this->takes(splat) && footprint.prepare(splat))
       {
         this->draw(splat, footprint);
       }
-      this->moveNowAndThen(k, 1);
     }
-    this->finish();
+    this->endSpan();
     return k;
   }
 
@@ -64,7 +65,7 @@ public:
         static_cast<int>(std::min<std::size_t>(SmallBatch::size, this->task.count - k));
       for (int i = 0; i < count; ++i)
       {
-        if (!batch.touches(i))
+        if (!batch.touches(i) || !this->takes(batch.splats[i]))
         {
           continue;
         }
@@ -72,34 +73,33 @@ public:
         {
           this->draw(batch.splats[i], batch.footprint(i));
         }
+        else if (this->isForBatch(batch.splats[i], batch.pixels(i)))
+        {
+          this->emitLater(batch.splats[i]);
+        }
         else if (wide.prepare(batch.splats[i]))
         {
           this->draw(batch.splats[i], wide);
         }
       }
-      this->moveNowAndThen(k, SmallBatch::size);
     }
-    this->finish();
+    this->endSpan();
     return std::min(k, this->task.count);
   }
 
 private:
-  /// Contributions that are all rounded alike drift by 2^-26 each: light moves to double after so
-  /// many splats, optical depth in blocks of 8 x 8 pixels after so many absorbers that touched one.
-  static constexpr std::size_t lightMovesAfter = 256;
-  static constexpr int tauMovesAfter = 256;
-  static constexpr int blockSide = 8;
-  static constexpr int blocks = tileSide / blockSide;
+  /// Contributions that are all rounded alike drift by 2^-26 each: a span has so many splats.
+  static constexpr int spanSplats = 256;
+  /// The optical depth of a span, which e to its power must not let float overflow, and of an
+  /// absorber that is no part of any.
+  static constexpr float spanDepth = 4;
+  static constexpr float opaque = 2;
   static constexpr std::size_t looksAfter = 2048;
-  /// An absorber too thin for single precision to see beside 1 is left to the optical depth's sum;
-  /// the transmittance, which waits for that, is never more than this behind.
-  static constexpr float thinnestSeen = 0x1p-20F;
   static constexpr std::size_t ahead = 16;
   static constexpr int planeSize = tileSide * tileStride; ///< from one channel to the next
   static constexpr int planes = absorption == TileAbsorption::None ? 0
     : absorption == TileAbsorption::Grey                           ? 1
                                                                    : 3;
-  using Moves = TileMoves<planes>;
 
   /// Now and then, before splat k: true if the rest is negligible.
   HWY_INLINE bool endsBefore(std::size_t k, std::size_t step)
@@ -108,12 +108,20 @@ private:
       this->restIsNegligible(this->task.count - k);
   }
 
-  HWY_INLINE void moveNowAndThen(std::size_t k, std::size_t step)
+  /// False for what has no light; else a span ends that has as many splats as it may have.
+  HWY_INLINE bool takes(const Splat& splat)
   {
-    if ((k + step) % lightMovesAfter < step)
+    const float* light = splat.light;
+    if (splat.kind() == SplatKind::Emits && light[0] == 0 && light[1] == 0 && light[2] == 0)
     {
-      Moves::light(this->sums);
+      return false;
     }
+    if (this->inSpan == spanSplats)
+    {
+      this->endSpan();
+    }
+    ++this->inSpan;
+    return true;
   }
 
   HWY_INLINE void fetch(std::size_t k, SmallBatch& batch) const
@@ -150,50 +158,58 @@ private:
     }
     else
     {
-      this->countVeils(footprint.box);
       const SlabLight light = this->task.projection->lightOf(splat);
       const float thickest =
         std::max({ light.t[0], light.t[1], light.t[2] }) * footprint.mostOfAPixel();
       const bool emits = light.e[0] > 0 || light.e[1] > 0 || light.e[2] > 0;
-      if (thickest < thinnestSeen)
+      if (thickest > opaque)
       {
-        this->veil(splat, light, footprint);
-        this->unseen += thickest;
-        if (this->unseen > thinnestSeen)
-        {
-          this->moveAllTau();
-        }
+        this->absorbAll(splat, light, footprint);
+        return;
       }
-      else if (emits)
+      this->depthSoFar += thickest;
+      if (this->depthSoFar > spanDepth)
       {
-        this->pass<true, false>(splat, light, footprint);
+        this->endSpan();
+        this->depthSoFar = thickest;
+      }
+      if (emits)
+      {
+        this->absorb<true, false>(splat, light, footprint);
       }
       else if (thickest < 0.125F)
       {
-        this->pass<false, true>(splat, light, footprint);
+        this->absorb<false, true>(splat, light, footprint);
       }
       else
       {
-        this->pass<false, false>(splat, light, footprint);
+        this->absorb<false, false>(splat, light, footprint);
       }
     }
   }
 
-  /// Counts an absorber in the blocks that it touches, and moves those that have had enough.
-  HWY_INLINE void countVeils(const Box& box)
+  /// Whether a splat of so many pixels is better emitted with others.
+  HWY_INLINE bool isForBatch(const Splat& splat, int pixels) const
   {
-    const int column1 = (box.x0 + box.columns - 1) / blockSide;
-    const int row1 = (box.y0 + box.rows - 1) / blockSide;
-    for (int row = box.y0 / blockSide; row <= row1; ++row)
+    const bool onlyEmits =
+      splat.kind() == SplatKind::Emits || (planes == 0 && splat.kind() == SplatKind::Absorbs);
+    return !hasOpaque && onlyEmits && pixels >= WideBatch::fewestPixels &&
+      splat.h >= WideGaussian::narrowest;
+  }
+
+  HWY_INLINE void emitLater(const Splat& splat)
+  {
+    this->late.add(splat);
+    if (this->late.isFull())
     {
-      for (int column = box.x0 / blockSide; column <= column1; ++column)
-      {
-        if (++this->veils[row][column] == tauMovesAfter)
-        {
-          this->moveTau(column, row);
-        }
-      }
+      this->emitLate();
     }
+  }
+
+  HWY_NOINLINE void emitLate()
+  {
+    this->late.addTo(this->sums.emitted);
+    this->late.clear();
   }
 
   /// The weights with the pixels left out whose opaque geometry is nearer.
@@ -209,32 +225,7 @@ private:
     return w;
   }
 
-  /// C <- C + e, tau <- tau + t: a slab whose phi(t) is 1.
-  template <class Footprint>
-  HWY_NOINLINE void veil(const Splat& splat, const SlabLight& light, const Footprint& footprint)
-  {
-    using D = typename Footprint::D;
-    using Vector = hn::Vec<D>;
-    const D d;
-    this->emit(splat, light.e, footprint);
-    const Box& box = footprint.box;
-    for (int y = 0; y < box.rows; ++y)
-    {
-      const auto row = footprint.rowAt(y);
-      for (int x = 0; x < box.columns; x += lanes(d))
-      {
-        const Vector w = this->seen(d, footprint.weights(row, y, x), splat, box.y0 + y, box.x0 + x);
-        for (int plane = 0; plane < planes; ++plane)
-        {
-          float* tau = &this->sums.recentTau.values[plane][box.y0 + y][box.x0 + x];
-          const Vector t = hn::Set(d, light.t[plane]);
-          hn::StoreU(hn::MulAdd(w, t, hn::LoadU(d, tau)), d, tau);
-        }
-      }
-    }
-  }
-
-  /// C <- C + e.
+  /// E <- E + e.
   template <class Footprint>
   HWY_INLINE void emit(const Splat& splat, const float* light, const Footprint& footprint)
   {
@@ -271,7 +262,7 @@ private:
       columns[k] = footprint.columnsAt(k * N);
     }
     const Vector e[3] = { hn::Set(d, light[0]), hn::Set(d, light[1]), hn::Set(d, light[2]) };
-    float* HWY_RESTRICT sum = &this->sums.recentLight.values[0][box.y0][box.x0];
+    float* HWY_RESTRICT sum = &this->sums.emitted.values[0][box.y0][box.x0];
     for (int y = 0; y < box.rows; ++y, sum += tileStride)
     {
       const auto row = footprint.rowAt(y);
@@ -289,87 +280,115 @@ private:
     }
   }
 
-  /// C <- C + e phi(t), then what of it the slab would hide is kept, and T <- T e^-t.
+  /// X <- X + (E + X)(e^t - 1), tau <- tau + t; what the splat emits itself, e phi(t), is dimmed by
+  /// its own t with all else: E <- E + e phi(t) e^t = E + e (e^t - 1)/t.
   template <bool emits, bool isThin, class Footprint>
-  HWY_NOINLINE void pass(const Splat& splat, const SlabLight& light, const Footprint& footprint)
+  HWY_NOINLINE void absorb(const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
     using D = typename Footprint::D;
     using Vector = hn::Vec<D>;
     const D d;
     const Box box = footprint.box;
-    const int N = lanes(d);
     const int first = box.y0 * tileStride + box.x0;
-    float* HWY_RESTRICT lights = &this->sums.recentLight.values[0][0][0] + first;
-    const float* HWY_RESTRICT moved = &this->sums.movedLight.values[0][0][0] + first;
-    float* HWY_RESTRICT kept = &this->sums.recentKept.values[0][0][0] + first;
-    float* HWY_RESTRICT throughs = &this->sums.through.values[0][0][0] + first;
-    float* HWY_RESTRICT taus = &this->sums.recentTau.values[0][0][0] + first;
+    const float* before = &this->emittedBefore(box).values[0][0][0] + first;
+    float* emitted = &this->sums.emitted.values[0][0][0] + first;
+    float* surplus = &this->sums.surplus.values[0][0][0] + first;
+    float* depths = &this->sums.depth.values[0][0][0] + first;
     for (int y = 0; y < box.rows; ++y)
     {
       const auto row = footprint.rowAt(y);
-      for (int x = 0; x < box.columns; x += N)
+      for (int x = 0; x < box.columns; x += lanes(d))
       {
         const Vector w = this->seen(d, footprint.weights(row, y, x), splat, box.y0 + y, box.x0 + x);
         for (int plane = 0; plane < planes; ++plane)
         {
           const int at = plane * planeSize + y * tileStride + x;
           const Vector t = hn::Mul(w, hn::Set(d, light.t[plane]));
-          const Vector T = hn::LoadU(d, throughs + at);
-          Vector phi, dimmed;
-          if constexpr (isThin)
-          {
-            phi = phiOfThin(d, t);
-            dimmed = hn::NegMulAdd(hn::Mul(T, t), phi, T);
-          }
-          else
-          {
-            Vector decay;
-            phiOfAny(d, t, phi, decay);
-            dimmed = hn::Mul(T, decay);
-          }
-          const Vector hidden = hn::Sub(T, dimmed);
-          hn::StoreU(hn::Add(hn::LoadU(d, taus + at), t), d, taus + at);
-          hn::StoreU(dimmed, d, throughs + at);
-          // One plane of transmittance stands for all three channels.
+          const Vector grown = growth<isThin>(d, t);
+          const Vector gain = hn::Mul(grown, t);
+          hn::StoreU(hn::Add(hn::LoadU(d, depths + at), t), d, depths + at);
+          // One plane of optical depth stands for all three channels.
           for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
           {
             const int place = c * planeSize + y * tileStride + x;
-            Vector recent = hn::LoadU(d, lights + place);
+            const Vector E = hn::LoadU(d, before + place), X = hn::LoadU(d, surplus + place);
+            hn::StoreU(hn::MulAdd(hn::Add(E, X), gain, X), d, surplus + place);
             if constexpr (emits)
             {
-              recent = hn::MulAdd(hn::Mul(w, hn::Set(d, light.e[c])), phi, recent);
-              hn::StoreU(recent, d, lights + place);
+              const Vector own = hn::Mul(w, hn::Set(d, light.e[c]));
+              hn::StoreU(hn::MulAdd(own, grown, hn::LoadU(d, emitted + place)), d, emitted + place);
             }
-            const Vector all = hn::Add(recent, hn::LoadU(d, moved + place));
-            hn::StoreU(hn::MulAdd(hidden, all, hn::LoadU(d, kept + place)), d, kept + place);
           }
         }
       }
     }
   }
 
-  void moveTau(int column, int row)
+  /// Of any optical depth: a span ends before it, and nothing of it is in another.
+  template <class Footprint>
+  HWY_NOINLINE void absorbAll(
+    const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
-    this->veils[row][column] = 0;
-    Moves::tau(this->sums, column * blockSide, row * blockSide, blockSide);
-  }
-
-  void moveAllTau()
-  {
-    this->unseen = 0;
-    for (int block = 0; block < blocks * blocks; ++block)
+    const typename Footprint::D d;
+    const Box box = footprint.box;
+    this->endSpan(box);
+    for (int y = box.y0; y < box.y0 + box.rows; ++y)
     {
-      this->moveTau(block % blocks, block / blocks);
+      const auto row = footprint.rowAt(y - box.y0);
+      for (int x = box.x0; x < box.x0 + box.columns; x += lanes(d))
+      {
+        HWY_ALIGN float share[8];
+        const auto w = footprint.weights(row, y - box.y0, x - box.x0);
+        hn::Store(this->seen(d, w, splat, y, x), d, share);
+        for (int k = 0; k < std::min(lanes(d), box.x0 + box.columns - x); ++k)
+        {
+          this->absorbAll(light, share[k], y, x + k);
+        }
+      }
     }
   }
 
-  void finish()
+  void absorbAll(const SlabLight& light, double share, int y, int x)
   {
-    Moves::light(this->sums);
-    if constexpr (planes > 0)
+    for (int plane = 0; plane < planes; ++plane)
     {
-      this->moveAllTau();
+      double& tau = this->sums.tau.values[plane][y][x];
+      const double t = share * light.t[plane];
+      const double left = std::exp(-tau) * share * escapeFraction(t);
+      for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
+      {
+        this->sums.light.values[c][y][x] += left * light.e[c];
+      }
+      tau += t;
+      this->sums.through.values[plane][y][x] = static_cast<float>(std::exp(-tau));
     }
+  }
+
+  /// In a box, E and what is still to be added to it.
+  HWY_INLINE const TilePlanes<float>& emittedBefore(const Box& box)
+  {
+    if (this->late.empty())
+    {
+      return this->sums.emitted;
+    }
+    this->late.addTo(box, this->sums.emitted, this->sums.before);
+    return this->sums.before;
+  }
+
+  void endSpan()
+  {
+    this->endSpan({ 0, 0, tileSide, tileSide });
+    this->depthSoFar = 0;
+    this->inSpan = 0;
+  }
+
+  HWY_INLINE void endSpan(const Box& box)
+  {
+    if (!this->late.empty())
+    {
+      this->emitLate();
+    }
+    TileMoves<planes>::move(this->sums, box);
   }
 
   bool restIsNegligible(std::size_t rest) const
@@ -390,8 +409,9 @@ private:
 
   const TileTask& task;
   TileSums& sums;
-  float unseen = 0; ///< optical depth that the transmittance may be behind
-  int veils[blocks][blocks] = {};
+  WideBatch late;       ///< not yet in the sums
+  int inSpan = 0;       ///< splats
+  float depthSoFar = 0; ///< no pixel has more optical depth in this span
 };
 } // namespace HWY_NAMESPACE
 } // namespace galaxy

@@ -38,36 +38,34 @@ enum class TileAbsorption
   Color,
 };
 
-/// The light of a tile, from the nearest particle to the farthest. With T the transmittance of
-/// what is nearer and C the light of all particles so far, undimmed, the picture's light is
-///   I = sum T_k (C_k - C_k-1) = T_n C_n + sum C_k (T_k - T_k+1):
-/// an emitter only adds to C, and an absorber, often of few pixels, keeps what of C it would hide.
-/// Nothing is subtracted but T from T.
+/// The light of a tile, from the nearest particle to the farthest, in spans of some hundred splats.
+/// With e_k the light of a span's splats in their order, t_k their optical depths and T the
+/// transmittance of all spans before, a pixel gains
+///   T sum e_k exp(-(t_1 + ... + t_k)) = T exp(-tau) (E + X),
+///   E = sum e_k,  X = sum e_k (exp(t_k+1 + t_k+2 + ...) - 1),  tau = sum t_k.
+/// An emitter only adds to E; an absorber adds t to tau and (E + X)(exp(t) - 1) to X. No term is
+/// negative, and an absorber is not lost beside 1, however thin.
 ///
-/// Contributions are added up in float over a few hundred splats at most and then moved to double,
-/// where millions of small ones neither drift nor vanish (in float they do: 7 % after 3e7). The
-/// transmittance is carried along in float and is made anew from the optical depth at every move.
+/// A span is added up in float and then moved to double, where millions of small contributions
+/// neither drift nor vanish (in float they do: 7 % after 3e7).
 struct TileSums
 {
-  TilePlanes<float> recentLight; ///< of C, luminosity per kpc^2, since the last move
-  TilePlanes<float> movedLight;  ///< of C before, rounded
-  TilePlanes<float> through;     ///< T
-  TilePlanes<float> recentKept;  ///< of the sum over absorbers, since the last move
-  TilePlanes<float> recentTau;   ///< optical depth since the last move
-  TilePlanes<double> light;      ///< C at the last move
-  TilePlanes<double> kept;
-  TilePlanes<double> tau;
+  TilePlanes<float> emitted; ///< E, luminosity per kpc^2
+  TilePlanes<float> surplus; ///< X
+  TilePlanes<float> depth;   ///< tau
+  TilePlanes<float> before;  ///< E and what is still to be added to it, where that is asked for
+  TilePlanes<float> through; ///< T
+  TilePlanes<double> light;  ///< of all spans before
+  TilePlanes<double> tau;    ///< optical depth of all spans before
   void clear(TileAbsorption absorption)
   {
-    this->recentLight.fill(0);
+    this->emitted.fill(0);
     this->light.fill(0);
     if (absorption != TileAbsorption::None)
     {
-      this->movedLight.fill(0);
+      this->surplus.fill(0);
+      this->depth.fill(0);
       this->through.fill(1);
-      this->recentKept.fill(0);
-      this->recentTau.fill(0);
-      this->kept.fill(0);
       this->tau.fill(0);
     }
   }
