@@ -248,7 +248,8 @@ private:
   {
     const auto number = [](float x) { return hn::Set(tag, x); };
     V sum = number(-5.11935616e-11F);
-    for (const float c : { 4.66749227e-9F, -2.49263528e-7F, 1.01495882e-5F, -3.25463543e-4F, 0.00781242919F, -0.124999966F, 0.999999997F })
+    for (const float c : { 4.66749227e-9F, -2.49263528e-7F, 1.01495882e-5F, -3.25463543e-4F,
+           0.00781242919F, -0.124999966F, 0.999999997F })
     {
       sum = hn::MulAdd(sum, z, number(c));
     }

@@ -60,19 +60,18 @@ HWY_INLINE hn::Vec<D> cumulative(D d, hn::Vec<D> u)
 template <bool isThin, class D>
 HWY_INLINE hn::Vec<D> growth(D d, hn::Vec<D> t)
 {
-  constexpr int last = isThin ? 4 : 14;
-  constexpr auto oneOverFactorial = [](int k) {
-    double product = 1;
-    for (int i = 2; i <= k; ++i)
-    {
-      product /= i;
-    }
-    return static_cast<float>(product);
-  };
-  auto sum = hn::Set(d, oneOverFactorial(last + 1));
-  for (int k = last; k > 0; --k)
+  auto sum = hn::Set(d, isThin ? 1.0F / 120 : 1.0F / 87178291200);
+  if constexpr (!isThin)
   {
-    sum = hn::MulAdd(sum, t, hn::Set(d, oneOverFactorial(k)));
+    for (const float c : { 1.0F / 6227020800, 1.0F / 479001600, 1.0F / 39916800, 1.0F / 3628800,
+           1.0F / 362880, 1.0F / 40320, 1.0F / 5040, 1.0F / 720, 1.0F / 120 })
+    {
+      sum = hn::MulAdd(sum, t, hn::Set(d, c));
+    }
+  }
+  for (const float c : { 1.0F / 24, 1.0F / 6, 0.5F, 1.0F })
+  {
+    sum = hn::MulAdd(sum, t, hn::Set(d, c));
   }
   return sum;
 }

@@ -255,10 +255,14 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
     {
       l = asFloat(hn::And(shown, hn::BitCast(words, l)));
     }
-    const I where = hn::Or(hn::LoadU(words, reinterpret_cast<const std::int32_t*>(block.where) + k),
-      hn::ShiftLeft<Splat::kindBit>(hn::And(kind, shown)));
+    // What is not shown lies beside every tile.
+    const F h = asFloat(hn::And(shown, hn::BitCast(words, hn::LoadU(floats, block.h + k))));
+    const I beside = hn::Set(words,
+      static_cast<std::int32_t>(Splat::pack(-Splat::farPixel, -Splat::farPixel, SplatKind::Emits)));
+    const I place = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(block.where) + k);
+    const I where = choose(shown, hn::Or(place, hn::ShiftLeft<Splat::kindBit>(kind)), beside);
     hn::StoreInterleaved4(asFloat(where), hn::LoadU(floats, block.x + k),
-      hn::LoadU(floats, block.y + k), hn::LoadU(floats, block.h + k), floats, block.head[k]);
+      hn::LoadU(floats, block.y + k), h, floats, block.head[k]);
     hn::StoreInterleaved4(zero, light[0], light[1], light[2], floats, block.tail[k]);
   }
 }

@@ -20,64 +20,77 @@ template <int planes>
 class TileMoves
 {
 public:
-  /// Of the pixels of a box, and some beside them.
+  /// Of the rows of a box, and of whole vectors of its columns.
   static HWY_NOINLINE void move(TileSums& sums, const Box& box)
   {
-    const int N = lanes(FourHalves());
+    const int N = lanes();
+    const int begin = box.x0 / N * N;
+    const int end = (box.x0 + box.columns + N - 1) / N * N;
     for (int y = box.y0; y < box.y0 + box.rows; ++y)
     {
-      for (int x = box.x0 / N * N; x < box.x0 + box.columns; x += N)
+      for (int plane = 0; plane < planes; ++plane)
       {
-        if constexpr (planes == 0)
-        {
-          for (int c = 0; c < 3; ++c)
-          {
-            add(taken(sums.emitted.values[c][y] + x), sums.light.values[c][y] + x);
-          }
-        }
-        for (int plane = 0; plane < planes; ++plane)
-        {
-          moveSpan(sums, plane, y, x);
-        }
+        moveSpan(sums, plane, y, begin, end);
+      }
+      for (int c = 0; c < 3 && planes == 0; ++c)
+      {
+        add(sums.emitted.values[c][y], sums.light.values[c][y], begin, end, nullptr);
+        clear(sums.emitted.values[c][y], begin, end);
       }
     }
   }
 
 private:
-  using Four = hn::CappedTag<double, 4>;
-  using FourHalves = hn::Rebind<float, Four>;
-  using Vector = hn::Vec<FourHalves>;
-
-  static HWY_INLINE void moveSpan(TileSums& sums, int plane, int y, int x)
+  static HWY_INLINE void moveSpan(TileSums& sums, int plane, int y, int begin, int end)
   {
-    const FourHalves half;
-    const auto tau = add(taken(sums.depth.values[plane][y] + x), sums.tau.values[plane][y] + x);
-    const Vector through = hn::Exp(half, hn::Neg(hn::DemoteTo(half, tau)));
-    hn::StoreU(through, half, sums.through.values[plane][y] + x);
+    HWY_ALIGN float all[tileStride]; // the optical depth, and then the light
+    float* depth = sums.depth.values[plane][y];
+    float* through = sums.through.values[plane][y];
+    add(depth, sums.tau.values[plane][y], begin, end, all);
+    clear(depth, begin, end);
+    for (int x = begin; x < end; x += lanes())
+    {
+      hn::Store(hn::Exp(tag, hn::Neg(hn::Load(tag, all + x))), tag, through + x);
+    }
     // One plane of optical depth stands for all three channels.
     for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
     {
-      const Vector span =
-        hn::Add(taken(sums.emitted.values[c][y] + x), taken(sums.surplus.values[c][y] + x));
-      add(hn::Mul(through, span), sums.light.values[c][y] + x);
+      float* emitted = sums.emitted.values[c][y];
+      float* surplus = sums.surplus.values[c][y];
+      for (int x = begin; x < end; x += lanes())
+      {
+        const V span = hn::Add(hn::Load(tag, emitted + x), hn::Load(tag, surplus + x));
+        hn::Store(hn::Mul(hn::Load(tag, through + x), span), tag, all + x);
+      }
+      add(all, sums.light.values[c][y], begin, end, nullptr);
+      clear(emitted, begin, end);
+      clear(surplus, begin, end);
     }
   }
 
-  /// What is there, which becomes 0.
-  static HWY_INLINE Vector taken(float* from)
+  /// Adds to the sum, of which `rounded` is a copy if it is wanted.
+  static HWY_INLINE void add(const float* more, double* sum, int begin, int end, float* rounded)
   {
-    const FourHalves half;
-    const Vector all = hn::LoadU(half, from);
-    hn::StoreU(hn::Zero(half), half, from);
-    return all;
+    const hn::CappedTag<double, 4> wide;
+    const hn::Rebind<float, decltype(wide)> half;
+    for (int x = begin; x < end; x += lanes(wide))
+    {
+      const auto all =
+        hn::Add(hn::Load(wide, sum + x), hn::PromoteTo(wide, hn::Load(half, more + x)));
+      hn::Store(all, wide, sum + x);
+      if (rounded)
+      {
+        hn::Store(hn::DemoteTo(half, all), half, rounded + x);
+      }
+    }
   }
 
-  static HWY_INLINE hn::Vec<Four> add(Vector more, double* sum)
+  static HWY_INLINE void clear(float* values, int begin, int end)
   {
-    const Four wide;
-    const auto all = hn::Add(hn::LoadU(wide, sum), hn::PromoteTo(wide, more));
-    hn::StoreU(all, wide, sum);
-    return all;
+    for (int x = begin; x < end; x += lanes())
+    {
+      hn::Store(hn::Zero(tag), tag, values + x);
+    }
   }
 };
 } // namespace HWY_NAMESPACE

@@ -7,11 +7,14 @@
 #define galaxy_TilePainter_inl_h
 #endif
 
+#include "Filters/Splatting/BlockHits.h"
 #include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TileMoves-inl.h"
 #include "Filters/Splatting/WideBatch-inl.h"
+
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace galaxy
@@ -27,6 +30,12 @@ public:
     : task(task)
     , sums(sums)
   {
+    // A full block of the brightest splats, grown, must not be more than float can hold.
+    const float most =
+      1e38F / (static_cast<float>(BlockHits::most) * std::max(task.brightest, 1e-30F));
+    const float room = std::min(std::max(std::log(most), 0.0F), 10.0F);
+    this->opaqueFrom = std::min(room, 2.0F);
+    this->spanDepth = room - this->opaqueFrom;
   }
 
   /// Footprints one by one.
@@ -38,9 +47,10 @@ public:
     for (; k < this->task.count && !this->endsBefore(k, 1); ++k)
     {
       const Splat& splat = this->next(k);
-      if (this->takes(splat) && footprint.prepare(splat))
+      if (footprint.prepare(splat))
       {
         this->draw(splat, footprint);
+        this->endFullSpan();
       }
     }
     this->endSpan();
@@ -65,7 +75,7 @@ public:
         static_cast<int>(std::min<std::size_t>(SmallBatch::size, this->task.count - k));
       for (int i = 0; i < count; ++i)
       {
-        if (!batch.touches(i) || !this->takes(batch.splats[i]))
+        if (!batch.touches(i))
         {
           continue;
         }
@@ -82,18 +92,13 @@ public:
           this->draw(batch.splats[i], wide);
         }
       }
+      this->endFullSpan();
     }
     this->endSpan();
     return std::min(k, this->task.count);
   }
 
 private:
-  /// Contributions that are all rounded alike drift by 2^-26 each: a span has so many splats.
-  static constexpr int spanSplats = 256;
-  /// The optical depth of a span, which e to its power must not let float overflow, and of an
-  /// absorber that is no part of any.
-  static constexpr float spanDepth = 4;
-  static constexpr float opaque = 2;
   static constexpr std::size_t looksAfter = 2048;
   static constexpr std::size_t ahead = 16;
   static constexpr int planeSize = tileSide * tileStride; ///< from one channel to the next
@@ -108,20 +113,19 @@ private:
       this->restIsNegligible(this->task.count - k);
   }
 
-  /// False for what has no light; else a span ends that has as many splats as it may have.
-  HWY_INLINE bool takes(const Splat& splat)
+  HWY_INLINE void count(const Box& box)
   {
-    const float* light = splat.light;
-    if (splat.kind() == SplatKind::Emits && light[0] == 0 && light[1] == 0 && light[2] == 0)
-    {
-      return false;
-    }
-    if (this->inSpan == spanSplats)
+    this->hits.add(box.x0, box.y0, box.x0 + box.columns - 1, box.y0 + box.rows - 1);
+  }
+
+  /// Contributions that are all rounded alike drift by 2^-26 each: a span ends before any pixel has
+  /// had too many.
+  HWY_INLINE void endFullSpan()
+  {
+    if (this->hits.isFull())
     {
       this->endSpan();
     }
-    ++this->inSpan;
-    return true;
   }
 
   HWY_INLINE void fetch(std::size_t k, SmallBatch& batch) const
@@ -148,6 +152,7 @@ private:
   template <class Footprint>
   HWY_INLINE void draw(const Splat& splat, const Footprint& footprint)
   {
+    this->count(footprint.box);
     if (splat.kind() == SplatKind::Emits || (planes == 0 && splat.kind() == SplatKind::Absorbs))
     {
       this->emit(splat, splat.light, footprint);
@@ -162,13 +167,13 @@ private:
       const float thickest =
         std::max({ light.t[0], light.t[1], light.t[2] }) * footprint.mostOfAPixel();
       const bool emits = light.e[0] > 0 || light.e[1] > 0 || light.e[2] > 0;
-      if (thickest > opaque)
+      if (thickest > this->opaqueFrom)
       {
         this->absorbAll(splat, light, footprint);
         return;
       }
       this->depthSoFar += thickest;
-      if (this->depthSoFar > spanDepth)
+      if (this->depthSoFar > this->spanDepth)
       {
         this->endSpan();
         this->depthSoFar = thickest;
@@ -203,6 +208,7 @@ private:
     if (this->late.isFull())
     {
       this->emitLate();
+      this->count({ 0, 0, tileSide, tileSide });
     }
   }
 
@@ -379,7 +385,7 @@ private:
   {
     this->endSpan({ 0, 0, tileSide, tileSide });
     this->depthSoFar = 0;
-    this->inSpan = 0;
+    this->hits.clear();
   }
 
   HWY_INLINE void endSpan(const Box& box)
@@ -410,8 +416,10 @@ private:
   const TileTask& task;
   TileSums& sums;
   WideBatch late;       ///< not yet in the sums
-  int inSpan = 0;       ///< splats
+  BlockHits hits;       ///< in this span
   float depthSoFar = 0; ///< no pixel has more optical depth in this span
+  float spanDepth;      ///< the most that it may be before an absorber is added
+  float opaqueFrom;     ///< the optical depth of an absorber that is no part of any span
 };
 } // namespace HWY_NAMESPACE
 } // namespace galaxy

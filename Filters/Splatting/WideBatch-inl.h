@@ -16,8 +16,10 @@ namespace HWY_NAMESPACE
 {
 /// Emitters whose light is still to be added to the tile. As their weights are products of a
 /// function of the row and one of the column, the light of all of them is a product of matrices,
-///   C[channel, row; column] = sum over emitters (light row)[channel, row; emitter] column[emitter],
-/// added up in registers: memory then sees one sum where it would see as many as there are emitters.
+///   C[channel, row; column] = sum over emitters (light row)[channel, row; emitter]
+///   column[emitter],
+/// added up in registers: memory then sees one sum where it would see as many as there are
+/// emitters.
 class WideBatch
 {
 public:
@@ -87,7 +89,7 @@ private:
     {
       for (int k = 0; k < vectors; ++k)
       {
-        sums[c][k] = hn::LoadU(tag, light + c * plane + k * lanes());
+        sums[c][k] = hn::Zero(tag);
       }
     }
     const Emitter* const end = this->emitters + this->count;
@@ -111,7 +113,8 @@ private:
     {
       for (int k = 0; k < vectors; ++k)
       {
-        hn::StoreU(sums[c][k], tag, sum + c * plane + k * lanes());
+        const int at = c * plane + k * lanes();
+        hn::StoreU(hn::Add(hn::LoadU(tag, light + at), sums[c][k]), tag, sum + at);
       }
     }
   }
