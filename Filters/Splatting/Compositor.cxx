@@ -1,6 +1,7 @@
 #include "Filters/Splatting/DepthOrder.h"
 #include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/TileComposite.h"
+#include "Filters/Splatting/TilePieces.h"
 #include "Filters/Splatting/TileSummary.h"
 #include "Filters/Splatting/Tiles.h"
 
@@ -29,6 +30,14 @@ struct Workspace
   ErrorBound bound;
 };
 
+/// How a tile is drawn.
+struct TilePlan
+{
+  TileTask task; ///< of all splats
+  Omission omission;
+  bool isOrdered = false;
+};
+
 /// One rendering.
 class Compositor
 {
@@ -49,11 +58,15 @@ private:
   void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
   void renderTile(const TileDealer& dealer, const TileBand& band, int tile, Workspace& work,
     RenderedImage& image);
-  TileTask taskOf(const TileBand& band, int tile, Workspace& work) const;
-  void order(TileTask& task, const Omission& omission, Workspace& work) const;
+  void renderInPieces(const TileDealer& dealer, const TileBand& band, int tile,
+    std::vector<std::unique_ptr<Workspace>>& works, RenderedImage& image);
+  TilePlan planOf(const TileBand& band, int tile, Workspace& work) const;
+  void list(TileTask& task, const Omission& omission, Workspace& work) const;
+  void draw(const TileDealer& dealer, int tile, const TileTask& task, Workspace& work) const;
+  void add(const std::vector<std::unique_ptr<Workspace>>& works);
   bool proceed(std::size_t more);
   void loadOpaque(int tile, const PixelBox& box, const TileDepths& depths, TileSums& sums) const;
-  void store(int tile, const TileTask& task, const TileSums& sums, RenderedImage& image) const;
+  void store(int tile, const TileTask& task, const TileLight& sums, RenderedImage& image) const;
 
   Projection projection;
   Camera camera;
@@ -131,46 +144,62 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
   // Those with the most splats first, so that no thread is left with a large one at the end.
   std::stable_sort(tiles.begin(), tiles.end(),
     [&](int a, int b) { return dealer.splatsOf(a) > dealer.splatsOf(b); });
-  double seconds[2] = { 0, 0 };
-#pragma omp parallel
+  const auto isLarge = [&](int tile) { return dealer.splatsOf(tile) >= TilePieces::fewestSplats; };
+  const auto small = std::find_if_not(tiles.begin(), tiles.end(), isLarge);
+  std::vector<std::unique_ptr<Workspace>> works(omp_get_max_threads());
+  for (auto& work : works)
   {
-    const std::unique_ptr<Workspace> work(new Workspace); // its sums are cleared when used
-#pragma omp for schedule(dynamic, 1)
-    for (std::size_t n = 0; n < tiles.size(); ++n)
+    work.reset(new Workspace); // its sums are cleared when used
+  }
+  for (auto tile = tiles.begin(); tile != small && !this->aborted; ++tile)
+  {
+    this->renderInPieces(dealer, band, *tile, works, image);
+    this->proceed(dealer.splatsOf(*tile));
+  }
+#pragma omp parallel for schedule(dynamic, 1)
+  for (auto tile = small; tile < tiles.end(); ++tile)
+  {
+    if (!this->aborted && dealer.splatsOf(*tile) > 0)
     {
-      if (!this->aborted && dealer.splatsOf(tiles[n]) > 0)
-      {
-        this->renderTile(dealer, band, tiles[n], *work, image);
-        this->proceed(dealer.splatsOf(tiles[n]));
-      }
-    }
-#pragma omp critical
-    {
-      for (int stage = 0; stage < 2; ++stage)
-      {
-        seconds[stage] += work->seconds[stage];
-      }
-      this->thickest = std::max(this->thickest, work->thickest);
-      this->untouched += work->untouched;
-      this->faint += work->faint;
-      this->tiles += work->tiles;
-      this->bound.light = std::max(this->bound.light, work->bound.light);
-      this->bound.share = std::max(this->bound.share, work->bound.share);
+      this->renderTile(dealer, band, *tile, *works[omp_get_thread_num()], image);
+      this->proceed(dealer.splatsOf(*tile));
     }
   }
   // Threads' times are shared out so that the stages add up to what the clock on the wall says.
+  double seconds[2] = { 0, 0 };
+  for (const auto& work : works)
+  {
+    seconds[0] += work->seconds[0];
+    seconds[1] += work->seconds[1];
+  }
   const double sum = std::max(seconds[0] + seconds[1], 1e-9);
   const double wall = omp_get_wtime() - start;
   this->seconds[2] += seconds[0] / sum * wall;
   this->seconds[3] += seconds[1] / sum * wall;
+  this->add(works);
 }
 
-TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) const
+void Compositor::add(const std::vector<std::unique_ptr<Workspace>>& works)
+{
+  for (const auto& work : works)
+  {
+    this->thickest = std::max(this->thickest, work->thickest);
+    this->untouched += work->untouched;
+    this->faint += work->faint;
+    this->tiles += work->tiles;
+    this->bound.light = std::max(this->bound.light, work->bound.light);
+    this->bound.share = std::max(this->bound.share, work->bound.share);
+  }
+}
+
+TilePlan Compositor::planOf(const TileBand& band, int tile, Workspace& work) const
 {
   const int k = tile - band.firstTile;
-  TileTask task;
+  TilePlan plan;
+  TileTask& task = plan.task;
   task.splats = band.splats.data() + band.first[k];
   task.count = band.first[k + 1] - band.first[k];
+  task.pixels = this->grid.pixelsOf(tile);
   task.kernel = this->options.kernel;
   task.hasOpaque = this->options.opaqueDepth != nullptr;
   task.projection = &this->projection;
@@ -180,33 +209,25 @@ TileTask Compositor::taskOf(const TileBand& band, int tile, Workspace& work) con
   task.brightest = summary.brightest;
   task.negligible = static_cast<float>(this->allowed.light / 2);
   task.opaque = static_cast<float>(this->allowed.share / 2);
-  work.thickest = std::max(work.thickest, summary.thickest);
-  const Omission omission = summary.omission(this->allowed);
+  plan.omission = summary.omission(this->allowed);
   const bool absorbs = summary.absorption != TileAbsorption::None;
   task.isOneSource = absorbs && summary.source.holds();
-  const bool isOrdered = absorbs && omission.isOrdered && !task.isOneSource;
-  if (isOrdered || omission.omits())
-  {
-    this->order(task, omission, work);
-  }
-  if (isOrdered)
-  {
-    sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
-  }
+  plan.isOrdered = absorbs && plan.omission.isOrdered && !task.isOneSource;
   for (int c = 0; c < 3; ++c)
   {
     task.source[c] = summary.source.source(c);
   }
-  work.tiles.ordered += isOrdered;
+  work.thickest = std::max(work.thickest, summary.thickest);
+  work.tiles.ordered += plan.isOrdered;
   work.tiles.oneSource += task.isOneSource;
-  work.tiles.thin += absorbs && !isOrdered && !task.isOneSource;
-  work.bound.light = std::max(work.bound.light, omission.bound.light);
-  work.bound.share = std::max(work.bound.share, omission.bound.share);
-  return task;
+  work.tiles.thin += absorbs && !plan.isOrdered && !task.isOneSource;
+  work.bound.light = std::max(work.bound.light, plan.omission.bound.light);
+  work.bound.share = std::max(work.bound.share, plan.omission.bound.share);
+  return plan;
 }
 
 /// Lists the splats that are not left out, ready to be sorted.
-void Compositor::order(TileTask& task, const Omission& omission, Workspace& work) const
+void Compositor::list(TileTask& task, const Omission& omission, Workspace& work) const
 {
   work.order.resize(task.count);
   std::size_t listed = 0;
@@ -226,18 +247,77 @@ void Compositor::renderTile(
   const TileDealer& dealer, const TileBand& band, int tile, Workspace& work, RenderedImage& image)
 {
   const double start = omp_get_wtime();
-  TileTask task = this->taskOf(band, tile, work);
-  task.pixels = this->grid.pixelsOf(tile);
-  const double sorted = omp_get_wtime();
+  TilePlan plan = this->planOf(band, tile, work);
+  TileTask& task = plan.task;
+  if (plan.isOrdered || plan.omission.omits())
+  {
+    this->list(task, plan.omission, work);
+  }
+  if (plan.isOrdered)
+  {
+    sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
+  }
+  work.seconds[0] += omp_get_wtime() - start;
+  this->draw(dealer, tile, task, work);
+  this->store(tile, task, work.sums.all, image);
+}
+
+/// Draws to the sums.
+void Compositor::draw(
+  const TileDealer& dealer, int tile, const TileTask& task, Workspace& work) const
+{
+  const double start = omp_get_wtime();
   work.sums.clear(task.isOneSource ? TileAbsorption::None : task.absorption);
   if (task.hasOpaque)
   {
     this->loadOpaque(tile, task.pixels, dealer.depthsOf(tile), work.sums);
   }
   work.untouched += task.count - compositeTile(task, work.sums);
-  this->store(tile, task, work.sums, image);
-  work.seconds[0] += sorted - start;
-  work.seconds[1] += omp_get_wtime() - sorted;
+  work.seconds[1] += omp_get_wtime() - start;
+}
+
+/// The same by all threads together, one piece each.
+void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, int tile,
+  std::vector<std::unique_ptr<Workspace>>& works, RenderedImage& image)
+{
+  const double start = omp_get_wtime();
+  const TilePlan plan = this->planOf(band, tile, *works[0]);
+  TilePieces pieces(plan.task, plan.omission, plan.isOrdered);
+  works[0]->faint += pieces.omitted();
+  works[0]->seconds[0] += (omp_get_wtime() - start) * double(works.size());
+  std::vector<std::unique_ptr<TileLight>> lights(pieces.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < pieces.size(); ++k)
+  {
+    if (this->aborted)
+    {
+      continue;
+    }
+    Workspace& work = *works[omp_get_thread_num()];
+    const double before = omp_get_wtime();
+    if (plan.isOrdered)
+    {
+      sortByKey(pieces.begin(k), pieces.end(k), work.scratch);
+    }
+    work.seconds[0] += omp_get_wtime() - before;
+    TileTask task = plan.task;
+    task.order = pieces.begin(k);
+    task.count = pieces.end(k) - pieces.begin(k);
+    // What all of them leave out is what one tile may.
+    task.negligible /= static_cast<float>(pieces.size());
+    task.opaque /= static_cast<float>(pieces.size());
+    this->draw(dealer, tile, task, work);
+    lights[k].reset(new TileLight(work.sums.all));
+  }
+  if (!this->aborted)
+  {
+    for (int k = 1; k < pieces.size(); ++k)
+    {
+      lights[0]->add(
+        *lights[k], plan.task.isOneSource ? TileAbsorption::None : plan.task.absorption);
+    }
+    this->store(tile, plan.task, *lights[0], image);
+  }
 }
 
 void Compositor::loadOpaque(
@@ -258,7 +338,7 @@ void Compositor::loadOpaque(
 }
 
 void Compositor::store(
-  int tile, const TileTask& task, const TileSums& sums, RenderedImage& image) const
+  int tile, const TileTask& task, const TileLight& sums, RenderedImage& image) const
 {
   const PixelBox& box = task.pixels;
   for (int y = box.y0; y < box.y1; ++y)

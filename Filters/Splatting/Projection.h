@@ -92,6 +92,16 @@ public:
     return light;
   }
 
+  /// Asks memory for particle i.
+  void fetch(std::size_t i) const
+  {
+    const ParticleView& p = this->particles;
+    __builtin_prefetch(p.position + 3 * i);
+    __builtin_prefetch(p.smoothingLength + i);
+    __builtin_prefetch(p.emission ? p.emission + this->emissionStride * i : nullptr);
+    __builtin_prefetch(p.absorption ? p.absorption + this->absorptionStride * i : nullptr);
+  }
+
   /// The same of the particles first + which[k].
   void light(std::size_t first, const std::uint32_t* which, int count, BlockLights& lights) const;
 

@@ -34,7 +34,7 @@ public:
       }
       for (int c = 0; c < 3 && planes == 0; ++c)
       {
-        add(sums.emitted.values[c][y], sums.light.values[c][y], begin, end, nullptr);
+        add(sums.emitted.values[c][y], sums.all.light.values[c][y], begin, end, nullptr);
         clear(sums.emitted.values[c][y], begin, end);
       }
     }
@@ -46,7 +46,7 @@ private:
     HWY_ALIGN float all[tileStride]; // the optical depth, and then the light
     float* depth = sums.depth.values[plane][y];
     float* through = sums.through.values[plane][y];
-    add(depth, sums.tau.values[plane][y], begin, end, all);
+    add(depth, sums.all.tau.values[plane][y], begin, end, all);
     clear(depth, begin, end);
     for (int x = begin; x < end; x += lanes())
     {
@@ -62,7 +62,7 @@ private:
         const V span = hn::Add(hn::Load(tag, emitted + x), hn::Load(tag, surplus + x));
         hn::Store(hn::Mul(hn::Load(tag, through + x), span), tag, all + x);
       }
-      add(all, sums.light.values[c][y], begin, end, nullptr);
+      add(all, sums.all.light.values[c][y], begin, end, nullptr);
       clear(emitted, begin, end);
       clear(surplus, begin, end);
     }

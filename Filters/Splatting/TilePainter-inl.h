@@ -358,12 +358,12 @@ private:
   {
     for (int plane = 0; plane < planes; ++plane)
     {
-      double& tau = this->sums.tau.values[plane][y][x];
+      double& tau = this->sums.all.tau.values[plane][y][x];
       const double t = share * light.t[plane];
       const double left = std::exp(-tau) * share * escapeFraction(t);
       for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
       {
-        this->sums.light.values[c][y][x] += left * light.e[c];
+        this->sums.all.light.values[c][y][x] += left * light.e[c];
       }
       tau += t;
       this->sums.through.values[plane][y][x] = static_cast<float>(std::exp(-tau));

@@ -1,6 +1,7 @@
 #ifndef galaxy_TileSums_h
 #define galaxy_TileSums_h
 
+#include <cmath>
 #include <cstddef>
 
 namespace galaxy
@@ -38,6 +39,42 @@ enum class TileAbsorption
   Color,
 };
 
+/// What comes from the splats of a tile, and how much they dim what is behind them.
+struct TileLight
+{
+  TilePlanes<double> light; ///< luminosity per kpc^2
+  TilePlanes<double> tau;   ///< optical depth
+
+  void clear() { this->light.fill(0), this->tau.fill(0); }
+  /// Adds what lies behind.
+  void add(const TileLight& behind, TileAbsorption absorption)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const int plane = absorption == TileAbsorption::Color ? c : 0;
+      for (int y = 0; y < tileSide; ++y)
+      {
+        for (int x = 0; x < tileSide; ++x)
+        {
+          const double T =
+            absorption == TileAbsorption::None ? 1 : std::exp(-this->tau.values[plane][y][x]);
+          this->light.values[c][y][x] += T * behind.light.values[c][y][x];
+        }
+      }
+    }
+    for (int plane = 0; plane < 3 && absorption != TileAbsorption::None; ++plane)
+    {
+      for (int y = 0; y < tileSide; ++y)
+      {
+        for (int x = 0; x < tileSide; ++x)
+        {
+          this->tau.values[plane][y][x] += behind.tau.values[plane][y][x];
+        }
+      }
+    }
+  }
+};
+
 /// The light of a tile, from the nearest particle to the farthest, in spans of some hundred splats.
 /// With e_k the light of a span's splats in their order, t_k their optical depths and T the
 /// transmittance of all spans before, a pixel gains
@@ -55,18 +92,17 @@ struct TileSums
   TilePlanes<float> depth;   ///< tau
   TilePlanes<float> before;  ///< E and what is still to be added to it, where that is asked for
   TilePlanes<float> through; ///< T
-  TilePlanes<double> light;  ///< of all spans before
-  TilePlanes<double> tau;    ///< optical depth of all spans before
+  TileLight all;             ///< spans before
   void clear(TileAbsorption absorption)
   {
     this->emitted.fill(0);
-    this->light.fill(0);
+    this->all.light.fill(0);
     if (absorption != TileAbsorption::None)
     {
       this->surplus.fill(0);
       this->depth.fill(0);
       this->through.fill(1);
-      this->tau.fill(0);
+      this->all.tau.fill(0);
     }
   }
 

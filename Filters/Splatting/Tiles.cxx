@@ -68,39 +68,15 @@ public:
   /// The writer has a list for every tile of the band.
   void deal(SplatWriter& writer, const TileSpan& band, ProjectionCounts& counts)
   {
-    const Projection& projection = this->dealer.projection;
-    for (std::size_t i = this->begin; i < this->end; i += SplatBlock::most)
+    std::size_t next = this->begin;
+    this->list(next, band, this->lists[0]);
+    for (int turn = 0; next < this->end; turn ^= 1)
     {
-      const int count =
-        listInTiles(&this->dealer.memory.home[i], this->sizeAt(i), band, this->wanted);
-      if (count == 0)
-      {
-        continue;
-      }
-      const float* radius = projection.radii(i, this->sizeAt(i), this->scaledRadii);
-      for (int k = 0; k < count; ++k)
-      {
-        const std::uint32_t j = this->wanted[k];
-        this->places.set(k, projection.position(i + j), radius[j]);
-      }
-      projection.light(i, this->wanted, count, this->lights);
-      projectBlock(
-        this->places, this->lights, count, this->dealer.camera, this->dealer.tiles, *this->block);
-      for (int k = 0; k < count; ++k)
-      {
-        const std::uint32_t home = this->block->tiles.home[k];
-        if (TileHome::isOne(home))
-        {
-          ++this->tally[static_cast<int>(this->block->fate[k])];
-          Splat splat = this->block->splat(k);
-          splat.depth = this->dealer.depths[home].stepOf(this->block->tiles.depth[k]);
-          writer.write(static_cast<int>(home) - band.first, splat);
-        }
-        else
-        {
-          this->dealToSeveral(k, writer, band);
-        }
-      }
+      const std::size_t i = next;
+      next = std::min(next + SplatBlock::most, this->end);
+      // What is fetched now is there when it is its turn.
+      this->list(next, band, this->lists[turn ^ 1]);
+      this->deal(i, this->lists[turn], writer, band);
     }
     this->count(counts);
   }
@@ -109,6 +85,51 @@ private:
   int sizeAt(std::size_t i) const
   {
     return static_cast<int>(std::min<std::size_t>(SplatBlock::most, this->end - i));
+  }
+
+  /// Particles of a block that have a splat in the band, by their numbers in it.
+  struct List
+  {
+    int count = 0;
+    std::uint32_t which[SplatBlock::most + 16];
+  };
+
+  void list(std::size_t i, const TileSpan& band, List& list) const
+  {
+    list.count = listInTiles(&this->dealer.memory.home[i], this->sizeAt(i), band, list.which);
+    for (int k = 0; k < list.count; ++k)
+    {
+      this->dealer.projection.fetch(i + list.which[k]);
+    }
+  }
+
+  void deal(std::size_t i, const List& list, SplatWriter& writer, const TileSpan& band)
+  {
+    const Projection& projection = this->dealer.projection;
+    const float* radius = projection.radii(i, this->sizeAt(i), this->scaledRadii);
+    for (int k = 0; k < list.count; ++k)
+    {
+      const std::uint32_t j = list.which[k];
+      this->places.set(k, projection.position(i + j), radius[j]);
+    }
+    projection.light(i, list.which, list.count, this->lights);
+    projectBlock(this->places, this->lights, list.count, this->dealer.camera, this->dealer.tiles,
+      *this->block);
+    for (int k = 0; k < list.count; ++k)
+    {
+      const std::uint32_t home = this->block->tiles.home[k];
+      if (TileHome::isOne(home))
+      {
+        ++this->tally[static_cast<int>(this->block->fate[k])];
+        Splat splat = this->block->splat(k);
+        splat.depth = this->dealer.depths[home].stepOf(this->block->tiles.depth[k]);
+        writer.write(static_cast<int>(home) - band.first, splat);
+      }
+      else
+      {
+        this->dealToSeveral(k, writer, band);
+      }
+    }
   }
 
   /// Counts particle i in the tiles that it may touch, and says where it is.
@@ -191,7 +212,7 @@ private:
   BlockPlaces places = {};
   BlockLights lights;
   float scaledRadii[SplatBlock::most];
-  std::uint32_t wanted[SplatBlock::most + 16];
+  List lists[2];
   std::size_t tally[fates] = {}; ///< particles by fate
 };
 
