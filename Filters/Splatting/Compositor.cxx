@@ -200,6 +200,8 @@ TilePlan Compositor::planOf(const TileBand& band, int tile, Workspace& work) con
   task.splats = band.splats.data() + band.first[k];
   task.count = band.first[k + 1] - band.first[k];
   task.pixels = this->grid.pixelsOf(tile);
+  task.left = this->grid.leftOf(tile);
+  task.bottom = this->grid.bottomOf(tile);
   task.kernel = this->options.kernel;
   task.hasOpaque = this->options.opaqueDepth != nullptr;
   task.projection = &this->projection;

@@ -9,6 +9,7 @@
 
 #include "Filters/Splatting/CubicSpline.h"
 #include "Filters/Splatting/LaneMath-inl.h"
+#include "Filters/Splatting/NearParticle.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/SplineWeights.h"
 #include "Filters/Splatting/TileSums.h"
@@ -270,6 +271,52 @@ private:
     }
     return hn::Mul(hn::Mul(hn::Set(d, norm * atEnd), sum), hn::Mul(e, e));
   }
+};
+
+/// A NearParticle.
+class NearFootprint
+{
+public:
+  using D = Tag;
+  static constexpr bool isGeneral = true;
+  Box box{ 0, 0, tileSide, tileSide };
+  float most;
+
+  /// In a tile with such a corner; sigma in pixels as SplatBlock has them.
+  void prepare(
+    const NearParticle& particle, const Camera& camera, double sigmaInPixels, int left, int bottom)
+  {
+    const auto number = [](double x) { return hn::Set(tag, static_cast<float>(x)); };
+    const double perScale = 1 / camera.scale;
+    const V x = number(particle.x), y = number(particle.y), z = number(particle.z);
+    const V end = number(std::exp(-9.0)), half = number(0.5), one = number(1);
+    const V peak = number(nearPeak / (sigmaInPixels * sigmaInPixels));
+    const V step = number(perScale);
+    for (int row = 0; row < tileSide; ++row)
+    {
+      const V v = number((bottom + row + 0.5 - camera.centerY) * perScale);
+      for (int column = 0; column < tileSide; column += lanes())
+      {
+        const V u = hn::MulAdd(
+          hn::Iota(tag, 0), step, number((left + column + 0.5 - camera.centerX) * perScale));
+        const V cx = hn::NegMulAdd(z, v, y), cy = hn::MulSub(z, u, x),
+                cz = hn::MulSub(x, v, hn::Mul(y, u));
+        const V length2 = hn::MulAdd(u, u, hn::MulAdd(v, v, one));
+        const V b2 = hn::Div(hn::MulAdd(cx, cx, hn::MulAdd(cy, cy, hn::Mul(cz, cz))), length2);
+        const V s = hn::Div(hn::MulAdd(x, u, hn::MulAdd(y, v, z)), hn::Sqrt(length2));
+        const V profile = hn::Max(hn::Sub(hn::Exp(tag, hn::Neg(b2)), end), hn::Zero(tag));
+        const V before = hn::Add(cumulative(tag, s), half);
+        hn::Store(hn::Mul(hn::Mul(peak, profile), before), tag, this->table[row] + column);
+      }
+    }
+  }
+  float mostOfAPixel() const { return this->most; }
+  HWY_INLINE V rowAt(int) const { return hn::Zero(tag); }
+  HWY_INLINE V columnsAt(int) const { return hn::Zero(tag); }
+  HWY_INLINE V weights(V, int y, int x) const { return hn::LoadU(tag, this->table[y] + x); }
+
+private:
+  HWY_ALIGN float table[tileSide][tileStride];
 };
 
 /// The projected cubic spline, see SplineWeights.

@@ -18,6 +18,9 @@ inline float gaussianMostOfAPixel(float a)
   return std::min(1.0F, gaussianPeak * a * a);
 }
 
+/// The round kernel exp(-r^2/sigma^2) - exp(-9), r < 3 sigma, of integral 1 in units of sigma^2.
+inline constexpr double nearPeak = 1 / (3.14159265358979323846 * (1 - 10 * 1.2340980408667956e-4));
+
 /// gaussianCumulative() for |s| <= end in single precision, to 1e-7: s P(2 s^2/end^2 - 1), P
 /// through the Chebyshev nodes.
 struct GaussianPolynomial

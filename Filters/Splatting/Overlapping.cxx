@@ -1,4 +1,5 @@
 #include "Filters/Splatting/FootprintShare.h"
+#include "Filters/Splatting/GaussianKernel.h"
 #include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/Tiles.h"
@@ -7,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <omp.h>
 
 namespace galaxy
@@ -26,6 +28,7 @@ struct Ball
   double distance; ///< from the eye (parallel: depth), kpc
   double sigma;    ///< along the ray, kpc
   double e[3], t[3];
+  std::shared_ptr<const NearParticle> near; ///< then x, y and h mean nothing
 };
 
 /// The direction of the ray through a pixel's middle, as (tan x, tan y, 1), of no length.
@@ -133,6 +136,13 @@ private:
     const SlabLight light = projection.lightOf(splat);
     std::copy_n(light.e, 3, ball.e);
     std::copy_n(light.t, 3, ball.t);
+    if (splat.kind() == SplatKind::Near)
+    {
+      const NearParticle near = projection.near(splat, this->options.kernel);
+      ball.near = std::make_shared<const NearParticle>(near);
+      ball.sigma = near.sigma;
+      return ball;
+    }
     const double pixelsPerKpc = this->camera.parallel
       ? this->camera.scale
       : this->camera.scale * this->rayThrough(ball.x, ball.y).length() / ball.distance;
@@ -184,6 +194,11 @@ private:
 
   void spread(const Ball& ball)
   {
+    if (ball.near)
+    {
+      this->spreadNear(ball);
+      return;
+    }
     const double h = std::max(ball.h, 1e-4);
     const auto within = [](double pixel, int low, int high) {
       return static_cast<int>(std::clamp(std::floor(pixel), double(low), double(high)));
@@ -205,9 +220,29 @@ private:
     }
   }
 
+  void spreadNear(const Ball& ball)
+  {
+    const double sigma = this->camera.scale * NearParticle::sigmas(this->options.kernel);
+    for (int y = this->box.y0; y < this->box.y1; ++y)
+    {
+      for (int x = this->box.x0; x < this->box.x1; ++x)
+      {
+        const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
+        const double share =
+          nearPeak * std::exp(-ball.near->offset2(ray.u, ray.v)) / (sigma * sigma);
+        this->spreadOnRay(ball, x, y, share);
+      }
+    }
+  }
+
   /// Where along the pixel's ray the ball's centre is nearest.
   double depthOnRay(const Ball& ball, int x, int y) const
   {
+    if (ball.near)
+    {
+      const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
+      return ball.near->along(ray.u, ray.v) * ball.sigma;
+    }
     if (this->camera.parallel)
     {
       return ball.distance;

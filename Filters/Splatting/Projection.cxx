@@ -141,10 +141,19 @@ Projection::Place Projection::placeOf(std::size_t i) const
   const Vec3 d = Vec3{ p[0], p[1], p[2] } - c.eye;
   Place place;
   place.seen = { dot(d, c.right), dot(d, c.up), dot(d, c.forward) };
+  const double radius = this->radius(i);
+  if (!c.parallel && length(d) < NearParticle::within * radius)
+  {
+    // On every pixel.
+    place.ratio = c.scale / radius;
+    place.x = place.y = 0;
+    place.h = 1e15;
+    return place;
+  }
   place.ratio = c.parallel ? c.scale : c.scale / place.seen.z;
   place.x = c.centerX + place.ratio * place.seen.x;
   place.y = c.centerY + place.ratio * place.seen.y;
-  place.h = place.ratio * this->radius(i);
+  place.h = place.ratio * radius;
   return place;
 }
 

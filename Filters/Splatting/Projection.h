@@ -1,6 +1,7 @@
 #ifndef galaxy_Projection_h
 #define galaxy_Projection_h
 
+#include "Filters/Splatting/NearParticle.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/TileGrid.h"
@@ -105,7 +106,7 @@ public:
   /// The same of the particles first + which[k].
   void light(std::size_t first, const std::uint32_t* which, int count, BlockLights& lights) const;
 
-  /// Of a splat of kind Slab.
+  /// Of a splat of kind Slab or Near.
   SlabLight slab(const Splat& splat) const
   {
     const SlabName name = SlabName::of(splat);
@@ -129,6 +130,7 @@ public:
       case SplatKind::Absorbs:
         return { {}, { l[0], l[1], l[2] } };
       case SplatKind::Slab:
+      case SplatKind::Near:
         break;
     }
     return this->slab(splat);
@@ -138,6 +140,15 @@ public:
 
   /// False for what has no place or size, or light below nothing.
   bool valid(std::size_t i, const ParticleLight& light) const;
+
+  /// A splat of kind Near.
+  NearParticle near(const Splat& splat, Kernel kernel) const
+  {
+    const std::size_t i = SlabName::of(splat).particle;
+    const float* p = this->position(i);
+    return { { p[0], p[1], p[2] }, this->radius(i), kernel, this->camera };
+  }
+  const Camera& seenBy() const { return this->camera; }
 
   /// Whether the particle's component is shown.
   bool visible(std::size_t i) const { return !this->hasHidden || this->factors(i).visible; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace galaxy
@@ -13,16 +14,25 @@ namespace
 /// A particle on the image plane, in double precision: positions and h in pixels of the image.
 struct Disc
 {
-  double x, y, h, depth;
+  double x = 0, y = 0, h = 0, depth = 0;
   double e[3], t[3];
+  std::shared_ptr<const NearParticle> near; ///< then x, y and h mean nothing
 };
 
 /// The particle's place straight from the definition of the camera; false behind the eye.
-bool project(
-  const Vec3& position, double radius, const ParticleLight& light, const Camera& camera, Disc& disc)
+bool project(const Vec3& position, double radius, const ParticleLight& light, Kernel kernel,
+  const Camera& camera, Disc& disc)
 {
   const Vec3 d = position - camera.eye;
   const double along = dot(d, camera.forward);
+  if (!camera.parallel && length(d) < NearParticle::within * radius)
+  {
+    disc.near = std::make_shared<const NearParticle>(position, radius, kernel, camera);
+    disc.depth = length(d);
+    std::copy_n(light.L, 3, disc.e);
+    std::copy_n(light.K, 3, disc.t);
+    return true;
+  }
   if (!camera.parallel && along <= 0)
   {
     return false;
@@ -50,10 +60,11 @@ struct Sums
 
 void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& options, Sums& sums)
 {
-  const int i0 = static_cast<int>(std::max(0.0, std::floor(disc.x - disc.h) - 1));
-  const int j0 = static_cast<int>(std::max(0.0, std::floor(disc.y - disc.h) - 1));
-  const double i1 = std::min<double>(camera.width, disc.x + disc.h + 2);
-  const double j1 = std::min<double>(camera.height, disc.y + disc.h + 2);
+  const bool isNear = disc.near != nullptr;
+  const int i0 = isNear ? 0 : static_cast<int>(std::max(0.0, std::floor(disc.x - disc.h) - 1));
+  const int j0 = isNear ? 0 : static_cast<int>(std::max(0.0, std::floor(disc.y - disc.h) - 1));
+  const double i1 = isNear ? camera.width : std::min<double>(camera.width, disc.x + disc.h + 2);
+  const double j1 = isNear ? camera.height : std::min<double>(camera.height, disc.y + disc.h + 2);
   for (int j = j0; j < j1; ++j)
   {
     for (int i = i0; i < i1; ++i)
@@ -63,7 +74,9 @@ void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& option
       {
         continue;
       }
-      const double G = footprintShare(options.kernel, disc.x, disc.y, disc.h, i, j);
+      const double G = isNear ? disc.near->column((i + 0.5 - camera.centerX) / camera.scale,
+                                  (j + 0.5 - camera.centerY) / camera.scale)
+                              : footprintShare(options.kernel, disc.x, disc.y, disc.h, i, j);
       for (int c = 0; c < 3; ++c)
       {
         double& I = sums.I[3 * pixel + c];
@@ -75,7 +88,7 @@ void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& option
 }
 
 std::vector<Disc> visibleDiscs(
-  const ParticleView& particles, const Camera& camera, ProjectionCounts& counts)
+  const ParticleView& particles, const Camera& camera, Kernel kernel, ProjectionCounts& counts)
 {
   const Projection projection(particles, camera);
   std::vector<Disc> discs;
@@ -87,7 +100,8 @@ std::vector<Disc> visibleDiscs(
     }
     const float* p = particles.position + 3 * i;
     Disc disc;
-    if (project({ p[0], p[1], p[2] }, projection.radius(i), projection.light(i), camera, disc))
+    if (project(
+          { p[0], p[1], p[2] }, projection.radius(i), projection.light(i), kernel, camera, disc))
     {
       discs.push_back(disc);
     }
@@ -104,7 +118,7 @@ RenderedImage renderReference(
   ProjectionCounts counts;
   const std::size_t values = 3 * std::size_t(camera.width) * camera.height;
   Sums sums{ std::vector<double>(values), std::vector<double>(values) };
-  for (const Disc& disc : visibleDiscs(particles, camera, counts))
+  for (const Disc& disc : visibleDiscs(particles, camera, options.kernel, counts))
   {
     addDisc(disc, camera, options, sums);
   }

@@ -13,6 +13,7 @@ enum class SplatKind : std::uint32_t
   Emits,   ///< adds `light`
   Absorbs, ///< dims by the optical depth `light`
   Slab,    ///< both; `light` says which particle it is (SlabName)
+  Near,    ///< a NearParticle, on all pixels; named like a slab
 };
 
 /// A particle on the image plane as a tile sees it: 32 bytes, of which a picture of many millions
@@ -83,7 +84,7 @@ struct TileDepths
   }
 };
 
-/// What Splat::light holds of a slab.
+/// What Splat::light holds of a slab or a near particle.
 struct SlabName
 {
   std::uint32_t particle;

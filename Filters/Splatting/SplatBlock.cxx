@@ -1,5 +1,6 @@
 #include "Filters/Splatting/SplatBlock.h"
 
+#include "Filters/Splatting/NearParticle.h"
 #include "Filters/Splatting/TileSums.h"
 
 #include <limits>
@@ -75,7 +76,9 @@ HWY_INLINE hn::Mask<Wide> areSane(const BlockPlaces& p, int k)
 struct Seen
 {
   W right, up, forward; ///< kpc from the eye
-  W ratio;              ///< pixels per kpc
+  W distance2;          ///< kpc^2
+  W ratio;              ///< pixels per kpc; of a NearParticle, at its smoothing length's distance
+  hn::Mask<Wide> isNear;
   W x, y, h; ///< pixels from the grid's corner; h is negative, which touches nothing, of what is
              ///< not shown
 
@@ -90,17 +93,22 @@ struct Seen
     this->right = sumOfProducts(dx, c.right.x, dy, c.right.y, dz, c.right.z);
     this->up = sumOfProducts(dx, c.up.x, dy, c.up.y, dz, c.up.z);
     this->forward = sumOfProducts(dx, c.forward.x, dy, c.forward.y, dz, c.forward.z);
+    this->distance2 = hn::MulAdd(this->right, this->right,
+      hn::MulAdd(this->up, this->up, hn::Mul(this->forward, this->forward)));
+    const W reach = hn::Mul(hn::Set(wide, c.parallel ? 0 : NearParticle::within), r);
+    this->isNear = hn::Lt(this->distance2, hn::Mul(reach, reach));
     const auto isBefore = hn::Gt(this->forward, hn::Zero(wide));
     const W scale = hn::Set(wide, c.scale);
-    this->ratio = c.parallel
-      ? scale
-      : hn::Div(scale, hn::IfThenElse(isBefore, this->forward, hn::Set(wide, 1.0)));
+    const W depth = hn::IfThenElse(isBefore, this->forward, hn::Set(wide, 1.0));
+    this->ratio = c.parallel ? scale : hn::Div(scale, hn::IfThenElse(this->isNear, r, depth));
     this->x = hn::MulAdd(this->ratio, this->right, hn::Set(wide, c.centerX + grid.left));
     this->y = hn::MulAdd(this->ratio, this->up, hn::Set(wide, c.centerY + grid.bottom));
     const auto isShown = c.parallel ? isSeen : hn::And(isSeen, isBefore);
-    this->x = hn::IfThenElseZero(isShown, this->x);
-    this->y = hn::IfThenElseZero(isShown, this->y);
+    this->x = hn::IfThenElseZero(hn::AndNot(this->isNear, isShown), this->x);
+    this->y = hn::IfThenElseZero(hn::AndNot(this->isNear, isShown), this->y);
     this->h = hn::IfThenElse(isShown, hn::Mul(this->ratio, r), hn::Set(wide, -1e300));
+    // On every pixel.
+    this->h = hn::IfThenElse(hn::And(this->isNear, isSeen), hn::Set(wide, 1e15), this->h);
   }
 };
 
@@ -125,11 +133,7 @@ HWY_INLINE void storeTiles(
   const auto home =
     hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, several), code(TileHome::nowhere));
   hn::StoreU(home, ints, reinterpret_cast<std::int32_t*>(tiles.home) + k);
-  const W depth = c.parallel
-    ? seen.forward
-    : hn::Sqrt(hn::MulAdd(
-        seen.right, seen.right, hn::MulAdd(seen.up, seen.up, hn::Mul(seen.forward, seen.forward))));
-  hn::StoreU(depth, wide, tiles.depth + k);
+  hn::StoreU(c.parallel ? seen.forward : hn::Sqrt(seen.distance2), wide, tiles.depth + k);
 }
 
 void locateVectors(
@@ -174,6 +178,8 @@ void projectPlaces(
       reinterpret_cast<std::int32_t*>(block.where + k));
     hn::StoreU(hn::DemoteTo(half, hn::Min(seen.h, hn::Set(wide, 1e15))), half, block.h + k);
     hn::StoreU(hn::DemoteTo(half, hn::Mul(seen.ratio, seen.ratio)), half, block.perArea + k);
+    const W all = hn::IfThenElseZero(seen.isNear, hn::Set(wide, -1.0));
+    hn::StoreU(hn::DemoteTo(ints, all), ints, block.near + k);
   }
 }
 
@@ -231,9 +237,14 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
 
     const I absorbing = flags(absorbs), grey = flags(isGrey);
     const I slab = hn::And(flags(emits), absorbing);
-    const I kind = hn::And(absorbing,
-      choose(slab, hn::Set(words, static_cast<std::int32_t>(SplatKind::Slab)),
-        hn::Set(words, static_cast<std::int32_t>(SplatKind::Absorbs))));
+    const I near = hn::LoadU(words, block.near + k);
+    const I isNamed = hn::Or(slab, near);
+    const auto wordOfKind = [](SplatKind kind) {
+      return hn::Set(words, static_cast<std::int32_t>(kind));
+    };
+    const I farKind =
+      hn::And(absorbing, choose(slab, wordOfKind(SplatKind::Slab), wordOfKind(SplatKind::Absorbs)));
+    const I kind = choose(near, wordOfKind(SplatKind::Near), farKind);
     I fate = choose(slab, choose(grey, wordOf(Fate::SlabGrey), wordOf(Fate::SlabColors)),
       choose(grey, wordOf(Fate::AbsorbsGrey), wordOf(Fate::AbsorbsColors)));
     fate = hn::And(fate, absorbing); // Fate::Emits is 0
@@ -248,9 +259,9 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
     }
     const I name = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(lights.particle) + k);
     const auto asFloat = [](I bits) { return hn::BitCast(floats, bits); };
-    light[0] = asFloat(choose(slab, name, hn::BitCast(words, light[0])));
-    light[1] = asFloat(choose(slab, hn::BitCast(words, perArea), hn::BitCast(words, light[1])));
-    light[2] = asFloat(hn::AndNot(slab, hn::BitCast(words, light[2])));
+    light[0] = asFloat(choose(isNamed, name, hn::BitCast(words, light[0])));
+    light[1] = asFloat(choose(isNamed, hn::BitCast(words, perArea), hn::BitCast(words, light[1])));
+    light[2] = asFloat(hn::AndNot(isNamed, hn::BitCast(words, light[2])));
     for (F& l : light)
     {
       l = asFloat(hn::And(shown, hn::BitCast(words, l)));

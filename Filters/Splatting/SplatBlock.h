@@ -103,7 +103,8 @@ struct SplatBlock
   // What is known before the light is.
   std::uint32_t where[most];
   float x[most], y[most], h[most];
-  float perArea[most]; ///< 1 / (pixel area there, kpc^2)
+  float perArea[most];     ///< 1 / (pixel area there, kpc^2)
+  std::int32_t near[most]; ///< all bits for a NearParticle
 };
 
 /// Both project `count` particles by vectors, in double precision, since a camera may be

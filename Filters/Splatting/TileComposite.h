@@ -18,7 +18,8 @@ struct TileTask
   const Splat* splats = nullptr;
   const KeyedSlot* order = nullptr; ///< from the nearest to the farthest; null: as they lie
   std::size_t count = 0;
-  PixelBox pixels; ///< of the tile that lie in the picture
+  PixelBox pixels;          ///< of the tile that lie in the picture
+  int left = 0, bottom = 0; ///< the tile's corner in the picture
   Kernel kernel = Kernel::Gaussian;
   TileAbsorption absorption = TileAbsorption::None;
   bool isOneSource = false; ///< then only optical depths are added up, as if they were light

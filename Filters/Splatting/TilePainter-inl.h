@@ -47,11 +47,15 @@ public:
     for (; k < this->task.count && !this->endsBefore(k, 1); ++k)
     {
       const Splat& splat = this->next(k);
-      if (footprint.prepare(splat))
+      if (splat.kind() == SplatKind::Near)
+      {
+        this->drawNear(splat);
+      }
+      else if (footprint.prepare(splat))
       {
         this->draw(splat, footprint);
-        this->endFullSpan();
       }
+      this->endFullSpan();
     }
     this->endSpan();
     return k;
@@ -86,6 +90,10 @@ public:
         else if (this->isForBatch(batch.splats[i], batch.pixels(i)))
         {
           this->emitLater(batch.splats[i]);
+        }
+        else if (batch.splats[i].kind() == SplatKind::Near)
+        {
+          this->drawNear(batch.splats[i]);
         }
         else if (wide.prepare(batch.splats[i]))
         {
@@ -159,7 +167,8 @@ private:
     }
     else if constexpr (planes == 0)
     {
-      this->emit(splat, this->task.projection->lightOf(splat).t, footprint);
+      const SlabLight light = this->task.projection->lightOf(splat);
+      this->emit(splat, this->task.isOneSource ? light.t : light.e, footprint);
     }
     else
     {
@@ -191,6 +200,17 @@ private:
         this->absorb<false, false>(splat, light, footprint);
       }
     }
+  }
+
+  HWY_NOINLINE void drawNear(const Splat& splat)
+  {
+    const Projection& projection = *this->task.projection;
+    NearFootprint footprint;
+    const Camera& camera = projection.seenBy();
+    footprint.prepare(projection.near(splat, this->task.kernel), camera,
+      camera.scale * NearParticle::sigmas(this->task.kernel), this->task.left, this->task.bottom);
+    footprint.most = nearMostOfAPixel(this->task.kernel, camera);
+    this->draw(splat, footprint);
   }
 
   /// Whether a splat of so many pixels is better emitted with others.

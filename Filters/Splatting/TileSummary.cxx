@@ -18,8 +18,14 @@ float mostOf(const float* channels)
 }
 
 /// The most of a splat's light, or optical depth, that a pixel can have.
-float mostOfAPixel(Kernel kernel, float h)
+float mostOfAPixel(const TileTask& task, const Splat& splat)
 {
+  const Kernel kernel = task.kernel;
+  const float h = splat.h;
+  if (splat.kind() == SplatKind::Near)
+  {
+    return nearMostOfAPixel(kernel, task.projection->seenBy());
+  }
   return kernel == Kernel::Gaussian ? gaussianMostOfAPixel(3 / h) : splineMostOfAPixel(h);
 }
 } // namespace
@@ -66,7 +72,7 @@ void OneSource::add(const SlabLight& slab)
 bool Omission::omits(const Splat& splat, const TileTask& task) const
 {
   const SlabLight slab = task.projection->lightOf(splat);
-  const float most = mostOfAPixel(task.kernel, splat.h);
+  const float most = mostOfAPixel(task, splat);
   const bool isFaint = splat.kind() == SplatKind::Absorbs || mostOf(slab.e) * most < this->light;
   const bool isThin = splat.kind() == SplatKind::Emits || mostOf(slab.t) * most < this->tau;
   return isFaint && isThin;
@@ -92,14 +98,14 @@ void TileSummary::add(const TileTask& task)
     }
     if (sums)
     {
-      this->light.add(most * mostOfAPixel(task.kernel, splat.h));
+      this->light.add(most * mostOfAPixel(task, splat));
     }
-    if (splat.kind() != SplatKind::Emits)
+    if (splat.kind() != SplatKind::Emits && mostOf(slab.t) > 0)
     {
       const bool isGrey = slab.t[0] == slab.t[1] && slab.t[1] == slab.t[2];
       this->absorption =
         std::max(this->absorption, isGrey ? TileAbsorption::Grey : TileAbsorption::Color);
-      const float depth = mostOf(slab.t) * mostOfAPixel(task.kernel, splat.h);
+      const float depth = mostOf(slab.t) * mostOfAPixel(task, splat);
       this->thickest = std::max(this->thickest, depth);
       if (sums)
       {

@@ -1,0 +1,64 @@
+#ifndef galaxy_NearParticle_h
+#define galaxy_NearParticle_h
+
+#include "Filters/Splatting/Camera.h"
+#include "Filters/Splatting/Render.h"
+
+#include <cmath>
+
+namespace galaxy
+{
+/// A particle that the eye is in, or almost: it is no disc on the image plane. Every pixel looks
+/// along its own ray, which passes the centre at a distance b of its own, and sees the part of the
+/// column that lies before the eye: of exp(-r^2/sigma^2), with (1 + erf(s/sigma))/2 where s is how
+/// far along the ray the centre is. A cubic spline is drawn as the Gaussian of its variance.
+struct NearParticle
+{
+  double x, y, z; ///< of the centre, from the eye to the right, up and forward, in sigma
+  double sigma;   ///< kpc
+
+  NearParticle(const Vec3& position, double smoothingLength, Kernel kernel, const Camera& camera)
+    : sigma(sigmas(kernel) * smoothingLength)
+  {
+    const Vec3 d = (1 / this->sigma) * (position - camera.eye);
+    this->x = dot(d, camera.right);
+    this->y = dot(d, camera.up);
+    this->z = dot(d, camera.forward);
+  }
+
+  /// Nearer than so many smoothing lengths: at 2, the image plane and the rays' own distances agree
+  /// to 1 % over the kernel's sigma.
+  static constexpr double within = 2;
+
+  /// Of the kernel, in smoothing lengths.
+  static constexpr double sigmas(Kernel kernel)
+  {
+    return kernel == Kernel::Gaussian ? 1.0 / 3 : 0.3873;
+  }
+
+  /// In sigma^2, b^2 of the ray through (u, v, 1), and s in sigma.
+  double offset2(double u, double v) const
+  {
+    const double cx = this->y - this->z * v, cy = this->z * u - this->x,
+                 cz = this->x * v - this->y * u;
+    return (cx * cx + cy * cy + cz * cz) / (1 + u * u + v * v);
+  }
+  double along(double u, double v) const
+  {
+    return (this->x * u + this->y * v + this->z) / std::sqrt(1 + u * u + v * v);
+  }
+
+  /// The share of its light that a ray sees, per kpc^2.
+  double column(double u, double v) const;
+};
+
+/// The most of its light that a pixel can have, where a pixel is as large as one at the distance of
+/// the smoothing length, 1 over the camera's scale.
+inline float nearMostOfAPixel(Kernel kernel, const Camera& camera)
+{
+  const double sigma = camera.scale * NearParticle::sigmas(kernel);
+  return static_cast<float>(0.3187 / (sigma * sigma));
+}
+} // namespace galaxy
+
+#endif
