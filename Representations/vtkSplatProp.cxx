@@ -151,18 +151,19 @@ struct vtkSplatProp::Picture
   vtkMTimeType inputTime = 0;
   galaxy::Accuracy accuracy = galaxy::Accuracy::Bounded;
   galaxy::ErrorBound allowed;
+  double seconds = 0; ///< what it was to take; 0: however long
   galaxy::RenderedImage image;
 
   /// Whether it serves where the options ask for a picture.
   bool isFor(const galaxy::Camera& other, const std::vector<float>& depth, vtkMTimeType time,
-    const galaxy::RenderOptions& options) const
+    const galaxy::RenderOptions& options, double seconds) const
   {
     const bool isGood = this->accuracy == options.accuracy &&
       (this->accuracy != galaxy::Accuracy::Bounded ||
         (this->allowed.light <= options.allowed.light &&
           this->allowed.share <= options.allowed.share));
-    return isGood && this->inputTime == time && sameCamera(this->camera, other) &&
-      this->opaqueDepth == depth;
+    return isGood && this->seconds == seconds && this->inputTime == time &&
+      sameCamera(this->camera, other) && this->opaqueDepth == depth;
   }
 };
 
@@ -171,6 +172,8 @@ struct vtkSplatProp::Engine
   galaxy::RenderMemory memory;
   galaxy::Preview preview;
   double fullSeconds = 0; ///< what the last picture of all particles took
+  double seconds = 0;     ///< what the picture shown was to take; 0: it is of all particles
+  bool isAwaited = false; ///< a better one will be asked for
 };
 
 struct vtkSplatProp::Canvas
@@ -280,11 +283,16 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
   options.memory = &this->Splatting->memory;
   options.allowed = galaxy::allowedError(
     { this->Exposure, this->Stretch, this->Gamma }, this->Settings->GetTolerance());
-  if (this->Interactive && this->Splatting->fullSeconds > options.previewTime)
+  double seconds = this->NextSeconds(options.previewTime);
+  if (options.accuracy == galaxy::Accuracy::Preview)
+  {
+    seconds = options.previewTime;
+  }
+  if (seconds > 0)
   {
     options.accuracy = galaxy::Accuracy::Preview;
   }
-  if (this->LastPicture && this->LastPicture->isFor(camera, depth, time, options))
+  if (this->LastPicture && this->LastPicture->isFor(camera, depth, time, options, seconds))
   {
     return;
   }
@@ -299,8 +307,7 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
   {
     const vtkMTimeType version =
       std::max(this->Particles->GetMTime(), this->ParticlesTime.GetMTime());
-    picture->image =
-      this->Splatting->preview.render(input.view, version, camera, options, options.previewTime);
+    picture->image = this->Splatting->preview.render(input.view, version, camera, options, seconds);
   }
   else
   {
@@ -310,11 +317,41 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer)
   picture->camera = camera;
   picture->accuracy = options.accuracy;
   picture->allowed = options.allowed;
+  picture->seconds = seconds;
   picture->opaqueDepth = std::move(depth);
   picture->inputTime = time;
   this->ActiveEffects = picture->image.statistics.activeEffects;
   this->RenderStatistics = galaxy::describe(picture->image.statistics);
   this->LastPicture = std::move(picture);
+}
+
+double vtkSplatProp::NextSeconds(double shortest)
+{
+  Engine& engine = *this->Splatting;
+  if (this->Interactive && engine.fullSeconds > shortest)
+  {
+    engine.seconds = shortest;
+    engine.isAwaited = this->Refining;
+    return engine.seconds;
+  }
+  // What nobody will better, as a picture that is to be saved, is of all particles.
+  engine.seconds = engine.isAwaited ? engine.seconds : 0;
+  engine.isAwaited = false;
+  return engine.seconds;
+}
+
+bool vtkSplatProp::Refine()
+{
+  if (!this->Splatting || this->Splatting->seconds == 0 || !this->LastPicture)
+  {
+    return false;
+  }
+  Engine& engine = *this->Splatting;
+  const double next = 4 * engine.seconds;
+  const bool isAll = this->LastPicture->image.statistics.sampled >= engine.preview.most();
+  engine.seconds = isAll || next > engine.fullSeconds / 2 ? 0 : next;
+  engine.isAwaited = true;
+  return true;
 }
 
 void vtkSplatProp::DrawPicture(vtkOpenGLRenderWindow* window)
@@ -355,6 +392,7 @@ void vtkSplatProp::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Stretch: " << this->Stretch << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Interactive: " << this->Interactive << "\n";
+  os << indent << "Refining: " << this->Refining << "\n";
   os << indent << "ActiveEffects: " << this->ActiveEffects << "\n";
   os << indent << "RenderStatistics: " << this->RenderStatistics << "\n";
 }

@@ -58,6 +58,16 @@ public:
   ///@}
 
   ///@{
+  /// Whether Refine() will be called when the view rests: the first picture is then the last
+  /// preview. Else it is the whole one.
+  vtkSetMacro(Refining, bool);
+  vtkGetMacro(Refining, bool);
+  ///@}
+  /// Lets the next picture of a view that rests be a better one, of four times the time and at last
+  /// of all particles. False if there is none.
+  bool Refine();
+
+  ///@{
   /// What the last picture called for and what it cost.
   const char* GetActiveEffects() { return this->ActiveEffects.c_str(); }
   const char* GetRenderStatistics() { return this->RenderStatistics.c_str(); }
@@ -76,6 +86,8 @@ private:
   void operator=(const vtkSplatProp&) = delete;
 
   void UpdatePicture(vtkRenderer* renderer);
+  /// What the next picture may take, of which the shortest is given; 0 for all particles.
+  double NextSeconds(double shortest);
   void DrawPicture(vtkOpenGLRenderWindow* window);
   /// When the particles or the settings changed last.
   vtkMTimeType InputTime();
@@ -87,6 +99,7 @@ private:
   double Stretch = 10;
   double Gamma = 1;
   bool Interactive = false;
+  bool Refining = false;
   double Bounds[6];
   vtkMTimeType BoundsTime = 0;
   std::string ActiveEffects;

@@ -50,6 +50,7 @@ int vtkSplatRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Particles);
+    vtkPVRenderView::SetStreamable(inInfo, this, true);
     double bounds[6];
     this->Particles->GetBounds(bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
@@ -59,6 +60,16 @@ int vtkSplatRepresentation::ProcessViewRequest(
     // ParaView asks for less detail while the view of large data moves.
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
     this->Prop->SetParticles(vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this)));
+  }
+  else if (request == vtkPVRenderView::REQUEST_STREAMING_UPDATE())
+  {
+    // Who asks once will ask again; scripts do not.
+    this->Prop->SetRefining(true);
+    if (this->Prop->Refine())
+    {
+      // Whatever was streamed, the view is rendered again, and asks once more.
+      vtkPVRenderView::SetNextStreamedPiece(inInfo, this, this->Particles);
+    }
   }
   return 1;
 }
@@ -71,6 +82,8 @@ bool vtkSplatRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddViewProp(this->Prop);
+  // A window asks its views for better pictures while they rest only where they are to be streamed.
+  vtkPVView::SetEnableStreaming(true);
   return this->Superclass::AddToView(view);
 }
 

@@ -41,6 +41,9 @@ public:
   RenderedImage render(const ParticleView& particles, std::uint64_t version, const Camera& camera,
     const RenderOptions& options, double seconds);
 
+  /// Particles that a picture can have, 0 before the first one.
+  std::size_t most() const { return this->sample ? this->sample->size() : 0; }
+
 private:
   std::unique_ptr<PreviewSample> sample;
   std::uint64_t version = 0;

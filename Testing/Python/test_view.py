@@ -1,10 +1,13 @@
 """The representation Splats in a render view, beside other things. Needs a display."""
 import os
+import re
 import unittest
 
 import numpy as np
 from paraview import simple
 from PIL import Image
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import galaxy_testing as gt
 
@@ -33,6 +36,18 @@ class View(unittest.TestCase):
         simple.SaveScreenshot(path, self.view, ImageResolution=[size, size])
         with Image.open(path) as image:
             return np.asarray(image.convert("RGB"), dtype=float) / 255
+
+    def pixels(self):
+        """What the window shows, without rendering it again."""
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.view.GetRenderWindow())
+        grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()
+        grab.Update()
+        image = grab.GetOutput()
+        width, height, _ = image.GetDimensions()
+        values = vtk_to_numpy(image.GetPointData().GetScalars())
+        return values.reshape(height, width, -1)[::-1, :, :3] / 255
 
     def show(self, source, **properties):
         display = simple.Show(source, self.view)
@@ -177,6 +192,50 @@ class View(unittest.TestCase):
         display.UpdatePropertyInformation()
         self.assertNotIn("stand for all", display.GetPropertyValue("RenderStatistics"))
         np.testing.assert_allclose(after, whole, atol=1 / 254)
+
+    def test_a_view_that_rests_is_refined(self):
+        rng = np.random.default_rng(1)
+        places = rng.uniform(-1, 1, (400000, 3)).astype(np.float32)
+        light = np.full((len(places), 3), 5e-5, dtype=np.float32)
+        source = gt.particles(places, np.full(len(places), 0.05), Emission=light)
+        display = self.show(source, PreviewTime=0.01)
+        display.Exposure = 0.5 / 5  # 20 in all over 4 square kpc
+        simple.Render(self.view)
+        whole = self.shot()
+        self.view.LODThreshold = 0
+        view = self.view.GetClientSideObject()
+        view.Update()
+
+        def move():
+            self.view.CameraPosition = [0, 0, 6]
+            self.view.InteractiveRender()
+            self.view.CameraPosition = [0, 0, 5]
+            self.view.InteractiveRender()
+
+        def sampled():
+            display.UpdatePropertyInformation()
+            statistics = display.GetPropertyValue("RenderStatistics")
+            found = re.search(r"a random (\d+) stand for all", statistics)
+            return int(found[1]) if found else None
+
+        self.assertFalse(self.view.SMProxy.StreamingUpdate(True))  # there is nothing to refine
+        move()
+        self.view.StillRender()  # as when the mouse is released: the preview that is there
+        counts = [sampled()]
+        errors = [np.abs(self.pixels() - whole).mean()]
+        while self.view.SMProxy.StreamingUpdate(True):
+            counts.append(sampled())
+            errors.append(np.abs(self.pixels() - whole).mean())
+        self.assertGreaterEqual(len(counts), 2, counts)
+        self.assertIsNone(counts[-1])  # all of them
+        self.assertNotIn(None, counts[:-1])
+        self.assertEqual(counts[:-1], sorted(counts[:-1]))
+        self.assertLess(errors[-1], 1 / 254)
+        self.assertEqual(errors, sorted(errors, reverse=True))
+        # What is saved before that is whole.
+        move()
+        self.view.StillRender()
+        np.testing.assert_allclose(self.shot(), whole, atol=1 / 254)
 
     def test_preview_is_bounded_on_average_and_bounded_is_sorted(self):
         rng = np.random.default_rng(2)
