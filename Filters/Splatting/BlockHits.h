@@ -8,11 +8,11 @@
 
 namespace galaxy
 {
-/// Watches over how many splats a pixel of a tile has had, by blocks of 8 x 8 pixels.
+/// Watches over how many splats a pixel of a tile has had, by 16 blocks of its pixels.
 class BlockHits
 {
 public:
-  static constexpr int blockSide = 8;
+  static constexpr int blockSide = tileSide / 4;
   /// What a pixel has had when isFull() becomes true, or fewer: its block, and the three before it
   /// whose splats may reach it, have had a quarter each.
   static constexpr int most = 256;

@@ -17,6 +17,7 @@ struct Disc
   double x = 0, y = 0, h = 0, depth = 0;
   double e[3], t[3];
   std::shared_ptr<const NearParticle> near; ///< then x, y and h mean nothing
+  Vec3 place;                               ///< from the eye, kpc
 };
 
 /// The particle's place straight from the definition of the camera; false behind the eye.
@@ -24,6 +25,7 @@ bool project(const Vec3& position, double radius, const ParticleLight& light, Ke
   const Camera& camera, Disc& disc)
 {
   const Vec3 d = position - camera.eye;
+  disc.place = d;
   const double along = dot(d, camera.forward);
   if (!camera.parallel && length(d) < NearParticle::within * radius)
   {
@@ -58,7 +60,9 @@ struct Sums
   std::vector<double> tau;
 };
 
-void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& options, Sums& sums)
+/// Calls put(pixel, share) for the pixels that see the disc.
+template <class Put>
+void forEachPixel(const Disc& disc, const Camera& camera, const RenderOptions& options, Put put)
 {
   const bool isNear = disc.near != nullptr;
   const int i0 = isNear ? 0 : static_cast<int>(std::max(0.0, std::floor(disc.x - disc.h) - 1));
@@ -77,14 +81,35 @@ void addDisc(const Disc& disc, const Camera& camera, const RenderOptions& option
       const double G = isNear ? disc.near->column((i + 0.5 - camera.centerX) / camera.scale,
                                   (j + 0.5 - camera.centerY) / camera.scale)
                               : footprintShare(options.kernel, disc.x, disc.y, disc.h, i, j);
-      for (int c = 0; c < 3; ++c)
-      {
-        double& I = sums.I[3 * pixel + c];
-        I = throughSlab(I, disc.e[c] * G, disc.t[c] * G);
-        sums.tau[3 * pixel + c] += disc.t[c] * G;
-      }
+      put(pixel, G);
     }
   }
+}
+
+void addDisc(const Disc& disc, std::size_t pixel, double share, Sums& sums)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    double& I = sums.I[3 * pixel + c];
+    I = throughSlab(I, disc.e[c] * share, disc.t[c] * share);
+    sums.tau[3 * pixel + c] += disc.t[c] * share;
+  }
+}
+
+RenderedImage pictureOf(const Sums& sums, const Camera& camera, const ProjectionCounts& counts)
+{
+  RenderedImage image = emptyPicture(camera);
+  std::copy(sums.I.begin(), sums.I.end(), image.radiance.begin());
+  std::transform(sums.tau.begin(), sums.tau.end(), image.transmittance.begin(),
+    [](double tau) { return static_cast<float>(std::exp(-tau)); });
+  finishPicture(counts, { 1, 0, 0 }, false, image);
+  return image;
+}
+
+Sums emptySums(const Camera& camera)
+{
+  const std::size_t values = 3 * std::size_t(camera.width) * camera.height;
+  return { std::vector<double>(values), std::vector<double>(values) };
 }
 
 std::vector<Disc> visibleDiscs(
@@ -116,17 +141,47 @@ RenderedImage renderReference(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
   ProjectionCounts counts;
-  const std::size_t values = 3 * std::size_t(camera.width) * camera.height;
-  Sums sums{ std::vector<double>(values), std::vector<double>(values) };
+  Sums sums = emptySums(camera);
   for (const Disc& disc : visibleDiscs(particles, camera, options.kernel, counts))
   {
-    addDisc(disc, camera, options, sums);
+    forEachPixel(disc, camera, options,
+      [&](std::size_t pixel, double share) { addDisc(disc, pixel, share, sums); });
   }
-  RenderedImage image = emptyPicture(camera);
-  std::copy(sums.I.begin(), sums.I.end(), image.radiance.begin());
-  std::transform(sums.tau.begin(), sums.tau.end(), image.transmittance.begin(),
-    [](double tau) { return static_cast<float>(std::exp(-tau)); });
-  finishPicture(counts, { 1, 0, 0 }, false, image);
-  return image;
+  return pictureOf(sums, camera, counts);
+}
+
+RenderedImage renderInOrderOfRays(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options)
+{
+  struct Crossing
+  {
+    double depth;
+    const Disc* disc;
+    double share;
+  };
+  ProjectionCounts counts;
+  const std::vector<Disc> discs = visibleDiscs(particles, camera, options.kernel, counts);
+  std::vector<std::vector<Crossing>> crossings(std::size_t(camera.width) * camera.height);
+  for (const Disc& disc : discs)
+  {
+    forEachPixel(disc, camera, options, [&](std::size_t pixel, double share) {
+      const double u = (double(pixel % camera.width) + 0.5 - camera.centerX) / camera.scale;
+      const double v = (double(pixel / camera.width) + 0.5 - camera.centerY) / camera.scale;
+      const Vec3 ray = normalized(u * camera.right + v * camera.up + camera.forward);
+      const double depth = camera.parallel ? disc.depth : dot(disc.place, ray);
+      crossings[pixel].push_back({ depth, &disc, share });
+    });
+  }
+  Sums sums = emptySums(camera);
+  for (std::size_t pixel = 0; pixel < crossings.size(); ++pixel)
+  {
+    std::stable_sort(crossings[pixel].begin(), crossings[pixel].end(),
+      [](const Crossing& a, const Crossing& b) { return a.depth > b.depth; });
+    for (const Crossing& crossing : crossings[pixel])
+    {
+      addDisc(*crossing.disc, pixel, crossing.share, sums);
+    }
+  }
+  return pictureOf(sums, camera, counts);
 }
 } // namespace galaxy

@@ -121,6 +121,12 @@ RenderedImage render(
 RenderedImage renderSorted(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
 
+/// The reference with the particles of every pixel in the order in which its own ray passes them,
+/// instead of that of their centres' distance: in a parallel projection the same. Slow, and much
+/// memory: for a few thousand particles and pixels.
+RenderedImage renderInOrderOfRays(
+  const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
+
 /// Accuracy level `Bounded`: renderSorted's picture within `options.allowed`, proven tile by tile
 /// from the sums of what is left out: the faintest emitters, which all over one pixel have no more
 /// than half of `allowed.light`; what lies behind dust, where it lets no more than the other half

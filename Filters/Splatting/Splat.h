@@ -1,6 +1,8 @@
 #ifndef galaxy_Splat_h
 #define galaxy_Splat_h
 
+#include "Filters/Splatting/Knobs.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -65,12 +67,13 @@ struct TileDepths
   double nearest = 0; ///< kpc
   double farthest = 0;
   double steps = 0; ///< per kpc
+  static constexpr double mostSteps = (std::uint64_t(1) << depthBits) - 1;
 
   TileDepths() = default;
   TileDepths(double nearest, double farthest)
     : nearest(nearest)
     , farthest(farthest)
-    , steps(farthest > nearest ? 4294967295.0 / (farthest - nearest) : 0)
+    , steps(farthest > nearest ? mostSteps / (farthest - nearest) : 0)
   {
   }
   std::uint32_t stepOf(double depth) const

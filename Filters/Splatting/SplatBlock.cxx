@@ -25,7 +25,7 @@ using W = hn::Vec<Wide>;
 constexpr Wide wide;
 constexpr Half half;
 constexpr Ints ints;
-constexpr int tileBits = 5;
+constexpr int tileBits = tileSide == 16 ? 4 : tileSide == 32 ? 5 : 6;
 static_assert(1 << tileBits == tileSide);
 
 HWY_INLINE W sumOfProducts(W a, double x, W b, double y, W c, double z)

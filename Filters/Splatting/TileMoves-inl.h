@@ -69,6 +69,18 @@ private:
   }
 
   /// Adds to the sum, of which `rounded` is a copy if it is wanted.
+  static HWY_INLINE void add(const float* more, float* sum, int begin, int end, float* rounded)
+  {
+    for (int x = begin; x < end; x += lanes())
+    {
+      const V all = hn::Add(hn::Load(tag, sum + x), hn::Load(tag, more + x));
+      hn::Store(all, tag, sum + x);
+      if (rounded)
+      {
+        hn::Store(all, tag, rounded + x);
+      }
+    }
+  }
   static HWY_INLINE void add(const float* more, double* sum, int begin, int end, float* rounded)
   {
     const hn::CappedTag<double, 4> wide;

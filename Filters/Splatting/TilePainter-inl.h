@@ -378,7 +378,7 @@ private:
   {
     for (int plane = 0; plane < planes; ++plane)
     {
-      double& tau = this->sums.all.tau.values[plane][y][x];
+      SpanSum& tau = this->sums.all.tau.values[plane][y][x];
       const double t = share * light.t[plane];
       const double left = std::exp(-tau) * share * escapeFraction(t);
       for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)

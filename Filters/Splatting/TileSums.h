@@ -1,13 +1,13 @@
 #ifndef galaxy_TileSums_h
 #define galaxy_TileSums_h
 
+#include "Filters/Splatting/Knobs.h"
+
 #include <cmath>
 #include <cstddef>
 
 namespace galaxy
 {
-/// Pixels of a tile along each side: its float sums then stay in the first cache of a core.
-constexpr int tileSide = 32;
 /// A row of sums, and what a vector that begins in it may touch beyond.
 constexpr int tileStride = tileSide + 8;
 
@@ -42,8 +42,8 @@ enum class TileAbsorption
 /// What comes from the splats of a tile, and how much they dim what is behind them.
 struct TileLight
 {
-  TilePlanes<double> light; ///< luminosity per kpc^2
-  TilePlanes<double> tau;   ///< optical depth
+  TilePlanes<SpanSum> light; ///< luminosity per kpc^2
+  TilePlanes<SpanSum> tau;   ///< optical depth
 
   void clear() { this->light.fill(0), this->tau.fill(0); }
   /// Adds what lies behind.

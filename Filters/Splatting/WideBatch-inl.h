@@ -72,7 +72,8 @@ public:
   }
 
 private:
-  static constexpr int mostVectors = 4; ///< with three channels and what they share, 16 registers
+  /// With three channels and what they share, 16 registers.
+  static constexpr int mostVectors = std::min(4, tileSide / static_cast<int>(hn::MaxLanes(Tag())));
 
   struct Emitter
   {

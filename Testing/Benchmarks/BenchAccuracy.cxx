@@ -150,6 +150,11 @@ void benchLevels(const Case& c, Output& output)
     stderr, "%s: %zu particles, reference in %.1f s\n", c.name.c_str(), c.view.size, seconds);
   output.run(
     c.name, "Sorted", "", -1, &exact, map, [&] { return renderSorted(c.view, c.camera, options); });
+  RenderOptions spline = options;
+  spline.kernel = Kernel::CubicSpline;
+  const RenderedImage exactSpline = renderReference(c.view, c.camera, spline);
+  output.run(c.name, "Sorted", "cubic spline", -1, &exactSpline, map,
+    [&] { return renderSorted(c.view, c.camera, spline); });
   for (const double tolerance : { 1.0 / 4096, 1.0 / 1024, 1.0 / 512, 1.0 / 128, 1.0 / 32, 0.125 })
   {
     options.allowed = allowedError(map, tolerance);
@@ -184,6 +189,10 @@ void benchOverlap(const Case& c, std::size_t count, Output& output)
   const std::string name = c.name + ", " + std::to_string(count) + " particles";
   output.run(
     name, "Sorted", "", -1, &exact, map, [&] { return renderSorted(view, camera, options); });
+  // What the order of centres costs: the same picture with every ray's own.
+  const RenderedImage ordered = renderReference(view, camera, options);
+  output.run(name, "Order", "of each ray, by Sorted's", -1, &ordered, map,
+    [&] { return renderInOrderOfRays(view, camera, options); });
   for (const double slices : { 0.25, 0.5, 1.0, 2.0, 4.0 })
   {
     options.slices = slices;
@@ -243,15 +252,46 @@ void benchEffects(std::size_t n, int size, Output& output)
   }
   run("light behind a wall", "not touched", scene);
 }
+
+/// As this program was built, see Knobs.h.
+std::string knobsOfBuild()
+{
+  return "tiles of " + std::to_string(tileSide) + ", depths of " + std::to_string(depthBits) +
+    " bits, sums in " + (sizeof(SpanSum) == sizeof(double) ? "double" : "float");
+}
+
+/// What is built into the program: drawn as it is, and nothing else.
+void benchBuild(const Case& c, Output& output)
+{
+  RenderMemory memory;
+  RenderOptions options;
+  options.memory = &memory;
+  const RenderedImage exact = renderReference(c.view, c.camera, options);
+  output.run(c.name, "Build", knobsOfBuild(), -1, &exact, { 1 / whiteOf(exact), 10, 1 },
+    [&] { return renderSorted(c.view, c.camera, options); });
+}
 } // namespace
 
 int main(int argc, char** argv)
 {
+  if (argc == 4)
+  {
+    const auto n = static_cast<std::size_t>(std::atof(argv[1]));
+    const int size = std::atoi(argv[2]);
+    Output output(std::max(1, std::atoi(argv[3])));
+    const BenchScene disc = makeDisc(n), nebula = makeNebula(n);
+    benchBuild({ "disc", disc.view(), benchCamera({ 0, 0, 1 }, { 0, 1, 0 }, 10, size) }, output);
+    benchBuild(
+      { "disc, edge-on", disc.view(), benchCamera({ 1, 0, 0 }, { 0, 0, 1 }, 10, size) }, output);
+    benchBuild({ "nebula", nebula.view(), benchCamera({ 0, 0, 1 }, { 0, 1, 0 }, 9, size) }, output);
+    return 0;
+  }
   if (argc < 6)
   {
     std::fprintf(stderr,
       "usage: galaxy_bench_accuracy PARTICLES SIZE REPEATS M83.galaxy GROUP.galaxygroup "
-      "[SCENE.f32]\n");
+      "[SCENE.f32]\n"
+      "or, for what it is built with: galaxy_bench_accuracy PARTICLES SIZE REPEATS\n");
     return 2;
   }
   const auto n = static_cast<std::size_t>(std::atof(argv[1]));

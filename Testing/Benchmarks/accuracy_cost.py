@@ -13,6 +13,7 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -39,6 +40,28 @@ def measure(arguments):
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
 
 
+# Other values of what is built in (Filters/Splatting/Knobs.h), one at a time.
+BUILDS = [[], ["GALAXY_TILE_SIDE=16"], ["GALAXY_TILE_SIDE=64"], ["GALAXY_DEPTH_BITS=24"],
+          ["GALAXY_DEPTH_BITS=16"], ["GALAXY_SUM=float"]]
+
+
+def measure_builds(arguments):
+    """The runs of programs built with each of BUILDS, in a folder of its own that is removed."""
+    runs = []
+    for defines in BUILDS:
+        with tempfile.TemporaryDirectory() as folder:
+            flags = " ".join(f"-D{define}" for define in defines)
+            for command in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja",
+                             "-DGALAXY_BUILD_PLUGIN=OFF", f"-DCMAKE_CXX_FLAGS={flags}"],
+                            ["cmake", "--build", folder, "--target", "galaxy_bench_accuracy"]):
+                subprocess.run(command, check=True, stdout=sys.stderr)
+            program = os.path.join(folder, "benchmarks", "galaxy_bench_accuracy")
+            output = subprocess.run([program, arguments.particles, arguments.size,
+                                     arguments.repeats], check=True, stdout=subprocess.PIPE)
+            runs += json.loads(output.stdout)["runs"]
+    return runs
+
+
 def pareto(runs):
     """The runs that no other beats in both seconds and displayed error, fastest first."""
     front, best = [], float("inf")
@@ -62,7 +85,7 @@ def table(data):
     lines = ["| scene | level | seconds | of white, at most | displayed, at most | rms | bound | front |",
              "|---|---|---|---|---|---|---|---|"]
     for scene, runs in scenes_of(data["runs"]).items():
-        front = pareto(runs)
+        front = pareto([r for r in runs if r["level"] in COLORS])
         for run in runs:
             bound = f"{run['bound']:.2g}" if "bound" in run else ""
             level = f"{run['level']} {run['knob']}".strip()
@@ -87,11 +110,12 @@ def plot(data, path):
     import matplotlib.pyplot as plt
     from matplotlib.ticker import NullFormatter
 
-    scenes = scenes_of(data["runs"])
+    scenes = {scene: runs for scene, runs in scenes_of(data["runs"]).items()
+              if any(run["level"] in COLORS for run in runs)}
     figure, grid = plt.subplots(2, (len(scenes) + 1) // 2, figsize=(13, 6.4), layout="constrained",
                                 sharey=True)
     for axes, (scene, runs) in zip(grid.flat, scenes.items()):
-        front = pareto(runs)
+        front = pareto([r for r in runs if r["level"] in COLORS])
         axes.plot([r["seconds"] for r in front], [max(FLOOR, r["displayed"]) for r in front],
                   color="#bbbbbb", linewidth=6, solid_capstyle="round", zorder=0)
         for level, color in COLORS.items():
@@ -128,6 +152,8 @@ def main():
     parser.add_argument("--repeats", default="3")
     parser.add_argument("--scene", help="of nine float32 arrays, see BenchScenes.h")
     parser.add_argument("--bench", help="galaxy_bench_accuracy; default: the one built last")
+    parser.add_argument("--builds", action="store_true",
+                        help="also build with other tile sizes, depths and sums: a minute each")
     parser.add_argument("--from-json", help="draw what was measured before")
     parser.add_argument("--json")
     parser.add_argument("--table")
@@ -138,6 +164,8 @@ def main():
             data = json.load(file)
     else:
         data = measure(arguments)
+        if arguments.builds:
+            data["runs"] += measure_builds(arguments)
     if arguments.json:
         with open(arguments.json, "w", encoding="utf-8") as file:
             json.dump(data, file, indent=1)

@@ -253,4 +253,27 @@ TEST(Render, MatchesTheReference)
   }
 }
 
+TEST(Render, RaysMayPassParticlesInAnotherOrderThanThatOfTheCentres)
+{
+  const Scene scene = randomScene(400, true);
+  for (const Kernel kernel : kernels)
+  {
+    RenderOptions options;
+    options.kernel = kernel;
+    const auto centres = renderReference(scene.view(), testCamera(true, 60, 60), options);
+    const auto rays = renderInOrderOfRays(scene.view(), testCamera(true, 60, 60), options);
+    EXPECT_EQ(centres.radiance, rays.radiance);
+    EXPECT_EQ(centres.transmittance, rays.transmittance);
+  }
+  // The centre of the dust, aside, is farther from the eye than the star is; on the ray
+  // through the star it lies before it.
+  Scene pair;
+  pair.add({ 0.05, 0.05, 98.05 }, 0.05, { 1, 1, 1 });
+  pair.add({ 0.6, 0.05, 98.1 }, 0.9, { 0, 0, 0 }, { 3, 3, 3 });
+  const Camera camera = testCamera(false, 10, 10);
+  const auto centres = renderReference(pair.view(), camera);
+  const auto rays = renderInOrderOfRays(pair.view(), camera);
+  EXPECT_LT(total(rays), 0.9 * total(centres));
+  EXPECT_EQ(centres.transmittance, rays.transmittance);
+}
 }
