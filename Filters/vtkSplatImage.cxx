@@ -2,6 +2,7 @@
 
 #include "Filters/ParticleData.h"
 #include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Tiles.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkFloatArray.h"
@@ -37,8 +38,13 @@ void addChannels(vtkImageData* output, const char* name, const std::vector<float
 }
 }
 
+struct vtkSplatImage::Memory : galaxy::RenderMemory
+{
+};
+
 vtkSplatImage::vtkSplatImage()
   : Settings(vtkSmartPointer<vtkSplatSettings>::New())
+  , Splatting(std::make_unique<Memory>())
 {
 }
 
@@ -103,6 +109,7 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
   const double half = this->Settings->GetTolerance() / 2;
   options.allowed = { this->White > 0 ? half * this->White : 0, half };
+  options.memory = this->Splatting.get();
   options.progress = [this](double fraction) {
     this->UpdateProgress(fraction);
     return !this->GetAbortExecute();

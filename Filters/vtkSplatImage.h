@@ -20,6 +20,7 @@
 #include "vtkSmartPointer.h"  // for the settings
 #include "vtkSplatSettings.h" // for the forwarding macro
 
+#include <memory> // for what is kept
 #include <string> // for the statistics
 
 class vtkImageData;
@@ -107,6 +108,9 @@ private:
   vtkSmartPointer<vtkSplatSettings> Settings;
   std::string ActiveEffects;
   std::string RenderStatistics;
+
+  struct Memory; // what pictures are made in, kept for the next
+  std::unique_ptr<Memory> Splatting;
 };
 
 #endif

@@ -75,6 +75,17 @@ HWY_INLINE hn::Vec<D> growth(D d, hn::Vec<D> t)
   }
   return sum;
 }
+
+/// phi(t) = (1 - e^-t) / t, from its series below 1/2 and by definition above: 2e-7.
+template <class D>
+HWY_INLINE hn::Vec<D> escapeOf(D d, hn::Vec<D> t)
+{
+  const auto decay = hn::Exp(d, hn::Neg(t));
+  const auto thin = hn::Min(t, hn::Set(d, 0.5F));
+  const auto series = hn::Mul(growth<false>(d, thin), decay);
+  const auto thick = hn::Div(hn::Sub(hn::Set(d, 1.0F), decay), hn::Max(t, hn::Set(d, 0.5F)));
+  return hn::IfThenElse(hn::Lt(t, hn::Set(d, 0.5F)), series, thick);
+}
 } // namespace HWY_NAMESPACE
 } // namespace galaxy
 HWY_AFTER_NAMESPACE();

@@ -43,41 +43,40 @@ void SplatMemory::reserve(std::size_t count)
 
 SplatWriter::SplatWriter(SplatMemory& memory, const std::vector<std::size_t>& places)
   : memory(memory)
-  , lists(places.size())
+  , lines(places.size())
+  , first(places)
+  , next(places)
 {
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    this->lists[k].first = this->lists[k].next = places[k];
-  }
 }
 
-/// Writes the line that has just been filled.
-void SplatWriter::flush(List& list)
+/// Writes the line that ends with the place.
+void SplatWriter::flush(std::size_t list, std::size_t last)
 {
-  Splat* to = &this->memory[list.next - 2];
-  if (list.next - 2 < list.first)
+  const Line& line = this->lines[list];
+  Splat* to = &this->memory[last - 1];
+  if (last == this->first[list])
   {
-    to[1] = list.line[1]; // another share writes the line's first half
+    to[1] = line.splats[1]; // another share writes the line's first half
     return;
   }
 #ifdef __SSE2__
-  const auto* from = reinterpret_cast<const __m128i*>(list.line);
-  for (std::size_t k = 0; k < sizeof(list.line) / 16; ++k)
+  const auto* from = reinterpret_cast<const __m128i*>(&line);
+  for (std::size_t k = 0; k < sizeof(line) / 16; ++k)
   {
     _mm_stream_si128(reinterpret_cast<__m128i*>(to) + k, _mm_load_si128(from + k));
   }
 #else
-  std::memcpy(to, list.line, sizeof(list.line));
+  std::memcpy(to, &line, sizeof(line));
 #endif
 }
 
 SplatWriter::~SplatWriter()
 {
-  for (const List& list : this->lists)
+  for (std::size_t list = 0; list < this->lines.size(); ++list)
   {
-    if (list.next & 1 && list.next > list.first)
+    if (this->next[list] & 1 && this->next[list] > this->first[list])
     {
-      this->memory[list.next - 1] = list.line[0];
+      this->memory[this->next[list] - 1] = this->lines[list].splats[0];
     }
   }
   hwy::FlushStream();

@@ -43,26 +43,25 @@ public:
 
   void write(std::size_t list, const Splat& splat)
   {
-    List& l = this->lists[list];
-    l.line[l.next & 1] = splat;
-    if (++l.next & 1)
+    const std::size_t place = this->next[list]++;
+    this->lines[list].splats[place & 1] = splat;
+    if (place & 1)
     {
-      return;
+      this->flush(list, place);
     }
-    this->flush(l);
   }
 
 private:
-  struct alignas(128) List
+  struct alignas(64) Line
   {
-    Splat line[2];
-    std::size_t next = 0;
-    std::size_t first = 0;
+    Splat splats[2];
   };
-  void flush(List& list);
+  void flush(std::size_t list, std::size_t last);
 
+  // Apart, so that a core's caches hold as much of them as they can.
   SplatMemory& memory;
-  std::vector<List> lists;
+  std::vector<Line> lines;
+  std::vector<std::size_t> first, next;
 };
 } // namespace galaxy
 

@@ -8,7 +8,6 @@
 #endif
 
 #include "Filters/Splatting/BlockHits.h"
-#include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TileMoves-inl.h"
@@ -115,10 +114,14 @@ private:
                                                                    : 3;
 
   /// Now and then, before splat k: true if the rest is negligible.
-  HWY_INLINE bool endsBefore(std::size_t k, std::size_t step)
+  bool endsBefore(std::size_t k, std::size_t step)
   {
-    return planes > 0 && k % looksAfter < step && k > 0 &&
-      this->restIsNegligible(this->task.count - k);
+    if (planes == 0 || k % looksAfter >= step || k == 0)
+    {
+      return false;
+    }
+    this->endSpan();
+    return this->restIsNegligible(this->task.count - k);
   }
 
   HWY_INLINE void count(const Box& box)
@@ -350,44 +353,44 @@ private:
     }
   }
 
-  /// Of any optical depth: a span ends before it, and nothing of it is in another.
+  /// Of any optical depth: a span ends before it with what it emits itself, e phi(t), and one
+  /// begins with its t, which nothing of that span has to outgrow.
   template <class Footprint>
   HWY_NOINLINE void absorbAll(
     const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
-    const typename Footprint::D d;
+    using D = typename Footprint::D;
+    using Vector = hn::Vec<D>;
+    const D d;
     const Box box = footprint.box;
-    this->endSpan(box);
-    for (int y = box.y0; y < box.y0 + box.rows; ++y)
-    {
-      const auto row = footprint.rowAt(y - box.y0);
-      for (int x = box.x0; x < box.x0 + box.columns; x += lanes(d))
+    const auto forEach = [&](auto put) {
+      for (int y = box.y0; y < box.y0 + box.rows; ++y)
       {
-        HWY_ALIGN float share[8];
-        const auto w = footprint.weights(row, y - box.y0, x - box.x0);
-        hn::Store(this->seen(d, w, splat, y, x), d, share);
-        for (int k = 0; k < std::min(lanes(d), box.x0 + box.columns - x); ++k)
+        const auto row = footprint.rowAt(y - box.y0);
+        for (int x = box.x0; x < box.x0 + box.columns; x += lanes(d))
         {
-          this->absorbAll(light, share[k], y, x + k);
+          const Vector w = footprint.weights(row, y - box.y0, x - box.x0);
+          for (int plane = 0; plane < planes; ++plane)
+          {
+            const Vector seen = this->seen(d, w, splat, y, x);
+            put(plane, y, x, seen, hn::Mul(seen, hn::Set(d, light.t[plane])));
+          }
         }
       }
-    }
-  }
-
-  void absorbAll(const SlabLight& light, double share, int y, int x)
-  {
-    for (int plane = 0; plane < planes; ++plane)
-    {
-      SpanSum& tau = this->sums.all.tau.values[plane][y][x];
-      const double t = share * light.t[plane];
-      const double left = std::exp(-tau) * share * escapeFraction(t);
+    };
+    forEach([&](int plane, int y, int x, Vector w, Vector t) {
+      const Vector left = hn::Mul(w, escapeOf(d, t));
       for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
       {
-        this->sums.all.light.values[c][y][x] += left * light.e[c];
+        float* emitted = &this->sums.emitted.values[c][y][x];
+        hn::StoreU(hn::MulAdd(left, hn::Set(d, light.e[c]), hn::LoadU(d, emitted)), d, emitted);
       }
-      tau += t;
-      this->sums.through.values[plane][y][x] = static_cast<float>(std::exp(-tau));
-    }
+    });
+    this->endSpan(box);
+    forEach([&](int plane, int y, int x, Vector, Vector t) {
+      float* depth = &this->sums.depth.values[plane][y][x];
+      hn::StoreU(hn::Add(hn::LoadU(d, depth), t), d, depth);
+    });
   }
 
   /// In a box, E and what is still to be added to it.

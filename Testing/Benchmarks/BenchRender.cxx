@@ -17,17 +17,6 @@ namespace
 {
 using namespace galaxy;
 
-struct View
-{
-  const char* name;
-  bool edgeOn;
-  double halfWidth; ///< kpc
-  bool hasGas;
-};
-const View views[] = { { "wide/face-on", false, 42, true }, { "wide/edge-on", true, 42, true },
-  { "close/face-on", false, 10, true }, { "close/edge-on", true, 10, true },
-  { "stars/face-on", false, 10, false }, { "stars/edge-on", true, 10, false } };
-
 /// What all pictures share.
 struct Bench
 {
@@ -37,10 +26,9 @@ struct Bench
   Preview preview;
   std::uint64_t version = 0;
 
-  RenderedImage draw(const View& view, Accuracy accuracy)
+  RenderedImage draw(const BenchView& view, Accuracy accuracy)
   {
-    const Camera camera = benchCamera(view.edgeOn ? Vec3{ 1, 0, 0 } : Vec3{ 0, 0, 1 },
-      view.edgeOn ? Vec3{ 0, 0, 1 } : Vec3{ 0, 1, 0 }, view.halfWidth, 1024);
+    const Camera camera = view.camera();
     RenderOptions with = this->options;
     with.memory = &this->memory;
     with.accuracy = accuracy;
@@ -53,7 +41,7 @@ struct Bench
   }
 };
 
-void run(benchmark::State& state, Bench& bench, const View& view, Accuracy accuracy)
+void run(benchmark::State& state, Bench& bench, const BenchView& view, Accuracy accuracy)
 {
   bench.draw(view, accuracy); // memory and the sample, which later pictures have
   RenderStatistics last;
@@ -94,8 +82,7 @@ int main(int argc, char** argv)
       return 2;
     }
   }
-  const bool isNumber = source.find_first_not_of("0123456789") == std::string::npos;
-  bench->scene = isNumber ? makeDisc(std::stoull(source)) : readScene(source);
+  bench->scene = benchScene(source);
   if (bench->scene.size == 0)
   {
     std::fprintf(stderr, "%s: no particles\n", source.c_str());
@@ -103,7 +90,7 @@ int main(int argc, char** argv)
   }
   const std::pair<const char*, Accuracy> levels[] = { { "Sorted", Accuracy::Sorted },
     { "Bounded", Accuracy::Bounded }, { "Preview", Accuracy::Preview } };
-  for (const View& view : views)
+  for (const BenchView& view : benchViews)
   {
     for (const auto& level : levels)
     {

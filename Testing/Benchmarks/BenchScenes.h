@@ -140,6 +140,32 @@ inline Camera benchCamera(const Vec3& from, const Vec3& up, double halfWidth, in
   const double angle = 360 / M_PI * std::atan(halfWidth / 100);
   return Camera::lookAt(100 * from, {}, up, false, 1, angle, size, size);
 }
+
+/// A scene file, or so many particles of makeDisc.
+inline BenchScene benchScene(const std::string& source)
+{
+  const bool isNumber = source.find_first_not_of("0123456789") == std::string::npos;
+  return isNumber ? makeDisc(std::stoull(source)) : readScene(source);
+}
+
+/// What the drawing of a disc is measured with, 1024 x 1024.
+struct BenchView
+{
+  const char* name;
+  bool edgeOn;
+  double halfWidth; ///< kpc
+  bool hasGas;
+
+  Camera camera() const
+  {
+    return benchCamera(this->edgeOn ? Vec3{ 1, 0, 0 } : Vec3{ 0, 0, 1 },
+      this->edgeOn ? Vec3{ 0, 0, 1 } : Vec3{ 0, 1, 0 }, this->halfWidth, 1024);
+  }
+};
+inline const BenchView benchViews[] = { { "wide/face-on", false, 42, true },
+  { "wide/edge-on", true, 42, true }, { "close/face-on", false, 10, true },
+  { "close/edge-on", true, 10, true }, { "stars/face-on", false, 10, false },
+  { "stars/edge-on", true, 10, false } };
 } // namespace galaxy
 
 #endif
