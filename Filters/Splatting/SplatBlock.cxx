@@ -290,13 +290,9 @@ int listVectors(const std::uint32_t* home, int count, const TileSpan& span, std:
   const I first = hn::Set(words, span.first), end = hn::Set(words, span.end);
   const I firstRow = hn::Set(words, span.firstRow()), lastRow = hn::Set(words, span.lastRow());
   const I mask = hn::Set(words, 0x7fff);
-  const I step = hn::Set(words, static_cast<std::int32_t>(hn::Lanes(words)));
-  I index = hn::Iota(words, 0);
-  const hn::RebindToUnsigned<Words> numbers;
   int listed = 0;
   int k = 0;
-  for (; k + static_cast<int>(hn::Lanes(words)) <= count;
-       k += static_cast<int>(hn::Lanes(words)), index = hn::Add(index, step))
+  for (; k + static_cast<int>(hn::Lanes(words)) <= count; k += static_cast<int>(hn::Lanes(words)))
   {
     const I h = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(home) + k);
     const auto isOne = hn::AndNot(hn::Lt(h, first), hn::Lt(h, end));
@@ -304,10 +300,15 @@ int listVectors(const std::uint32_t* home, int count, const TileSpan& span, std:
     const auto isBeside = hn::Or(
       hn::Gt(hn::And(h, mask), lastRow), hn::Lt(hn::And(hn::ShiftRight<15>(h), mask), firstRow));
     const auto isIn = hn::Or(isOne, hn::AndNot(isBeside, hn::Lt(h, hn::Set(words, -2))));
-    // The whole vector: a store of some lanes takes many times as long on some machines.
-    const auto found = hn::RebindMask(numbers, isIn);
-    hn::StoreU(hn::Compress(hn::BitCast(numbers, index), found), numbers, which + listed);
-    listed += static_cast<int>(hn::CountTrue(numbers, found));
+    // One after the other, without branches: a vector's lanes are compressed through a table that
+    // compilers copy each time.
+    HWY_ALIGN std::int32_t found[8];
+    hn::Store(hn::IfThenElseZero(isIn, hn::Set(words, 1)), words, found);
+    for (int lane = 0; lane < static_cast<int>(hn::Lanes(words)); ++lane)
+    {
+      which[listed] = static_cast<std::uint32_t>(k + lane);
+      listed += found[lane];
+    }
   }
   for (; k < count; ++k)
   {
