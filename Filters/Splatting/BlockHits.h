@@ -15,7 +15,7 @@ public:
   static constexpr int blockSide = tileSide / 4;
   /// What a pixel has had when isFull() becomes true, or fewer: its block, and the three before it
   /// whose splats may reach it, have had a quarter each.
-  static constexpr int most = 256;
+  static constexpr int most = 512;
 
   /// A splat on the pixels from (x0, y0) to (x1, y1).
   void add(int x0, int y0, int x1, int y1)
@@ -38,7 +38,7 @@ public:
   {
     std::uint64_t words[2];
     std::memcpy(words, this->counts, sizeof(words));
-    return ((words[0] | words[1]) & 0xc0c0c0c0c0c0c0c0) != 0;
+    return ((words[0] | words[1]) & 0x8080808080808080) != 0;
   }
   void clear() { std::memset(this->counts, 0, sizeof(this->counts)); }
 
