@@ -34,21 +34,27 @@ void SumsBySize::add(float x)
 {
   std::uint32_t bits;
   std::memcpy(&bits, &x, sizeof(bits));
-  this->sums[std::min<int>(bits >> 23 & 0xff, exponents - 1)] += x;
+  const int exponent = std::min<int>(bits >> 23 & 0xff, exponents - 1);
+  this->sums[exponent] += x;
+  ++this->counts[exponent];
   this->all += x;
 }
 
-float SumsBySize::smallest(double most, double& sum) const
+SumsBySize::Smallest SumsBySize::smallest(double most) const
 {
-  sum = 0;
+  Smallest all;
   int exponent = 0;
-  for (; exponent < exponents && sum + this->sums[exponent] <= most; ++exponent)
+  for (; exponent < exponents && all.sum + this->sums[exponent] <= most; ++exponent)
   {
-    sum += this->sums[exponent];
+    all.sum += this->sums[exponent];
+    all.count += this->counts[exponent];
   }
-  return sum == 0          ? 0
-    : exponent < exponents ? std::ldexp(1.0F, exponent - 127)
-                           : std::numeric_limits<float>::infinity();
+  if (all.sum > 0)
+  {
+    all.below = exponent < exponents ? std::ldexp(1.0F, exponent - 127)
+                                     : std::numeric_limits<float>::infinity();
+  }
+  return all;
 }
 
 double OneSource::source(int channel) const
@@ -79,6 +85,7 @@ bool Omission::omits(const Splat& splat, const TileTask& task) const
 }
 
 TileSummary::TileSummary(const TileTask& task, bool sums)
+  : splats(task.count)
 {
   sums ? this->add<true>(task) : this->add<false>(task);
 }
@@ -122,14 +129,21 @@ Omission TileSummary::omission(const ErrorBound& allowed) const
   {
     return omission;
   }
-  omission.light = this->light.smallest(allowed.light / 2, omission.bound.light);
   // Dimmed by e^-tau too little, light is too much by the share e^tau - 1.
   const double mostTau = std::log1p(allowed.share / 2) / 2;
-  double thin = 0;
-  omission.tau = this->tau.smallest(mostTau, thin);
-  const double rest = this->tau.total() - thin;
+  SumsBySize::Smallest faint = this->light.smallest(allowed.light / 2);
+  SumsBySize::Smallest thin = this->tau.smallest(mostTau);
+  // To find a few takes longer than to draw them.
+  if (faint.count + thin.count < this->splats / 8)
+  {
+    faint = thin = {};
+  }
+  omission.light = faint.below;
+  omission.bound.light = faint.sum;
+  omission.tau = thin.below;
+  const double rest = this->tau.total() - thin.sum;
   omission.isOrdered = rest > mostTau;
-  omission.bound.share = std::expm1(thin + (omission.isOrdered ? 0 : rest));
+  omission.bound.share = std::expm1(thin.sum + (omission.isOrdered ? 0 : rest));
   if (rest > 0)
   {
     // Where drawing may end behind dust.

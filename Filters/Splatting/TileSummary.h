@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace galaxy
 {
@@ -16,13 +17,19 @@ class SumsBySize
 public:
   void add(float x);
   double total() const { return this->all; }
-  /// The smallest numbers whose sum is no more than `most`: all below the threshold returned, 0 for
-  /// none. `sum` becomes theirs.
-  float smallest(double most, double& sum) const;
+  /// Of the smallest numbers, as many as their sum is no more than `most`.
+  struct Smallest
+  {
+    float below = 0; ///< they are; 0: none
+    double sum = 0;
+    std::size_t count = 0;
+  };
+  Smallest smallest(double most) const;
 
 private:
   static constexpr int exponents = 255;
   std::array<double, exponents> sums = {};
+  std::array<std::uint32_t, exponents> counts = {};
   double all = 0;
 };
 
@@ -71,6 +78,7 @@ private:
   template <bool sums>
   void add(const TileTask& task);
 
+  std::size_t splats;
   SumsBySize light, tau; ///< over a pixel that all of them have in their middle
 };
 } // namespace galaxy
