@@ -190,17 +190,16 @@ private:
         this->endSpan();
         this->depthSoFar = thickest;
       }
+      const bool isThin = thickest < 0.125F;
       if (emits)
       {
-        this->absorb<true, false>(splat, light, footprint);
-      }
-      else if (thickest < 0.125F)
-      {
-        this->absorb<false, true>(splat, light, footprint);
+        isThin ? this->absorb<true, true>(splat, light, footprint)
+               : this->absorb<true, false>(splat, light, footprint);
       }
       else
       {
-        this->absorb<false, false>(splat, light, footprint);
+        isThin ? this->absorb<false, true>(splat, light, footprint)
+               : this->absorb<false, false>(splat, light, footprint);
       }
     }
   }
