@@ -96,7 +96,8 @@ private:
 
   void list(std::size_t i, const TileSpan& band, List& list) const
   {
-    list.count = listInTiles(&this->dealer.memory.home[i], this->sizeAt(i), band, list.which);
+    list.count =
+      listInTiles(this->dealer.memory.home.data() + i, this->sizeAt(i), band, list.which);
     for (int k = 0; k < list.count; ++k)
     {
       this->dealer.projection.fetch(i + list.which[k]);
