@@ -46,134 +46,11 @@ struct Box
   }
 };
 
-/// The Gaussian kernel's means over the pixels, see gaussianCumulative(): a product of a function
-/// of the pixel's column and one of its row.
-class Gaussian
-{
-public:
-  using D = Tag;
-  Box box;
-
-  /// False if the splat misses the tile.
-  HWY_INLINE bool prepare(const Splat& splat)
-  {
-    const float h = std::max(splat.h, 1e-4F);
-    if (!this->box.clip(splat, h))
-    {
-      return false;
-    }
-    const float a = 3 / h;
-    this->axis(a, static_cast<float>(this->box.x0 - splat.column()) - splat.x, this->box.columns,
-      this->column);
-    this->axis(
-      a, static_cast<float>(this->box.y0 - splat.row()) - splat.y, this->box.rows, this->row);
-    this->most = gaussianMostOfAPixel(a);
-    return true;
-  }
-  float mostOfAPixel() const { return this->most; }
-
-  static constexpr bool isGeneral = false; ///< else the weights are no product of row and column
-  HWY_INLINE V rowAt(int y) const { return hn::Set(tag, this->row[y]); }
-  HWY_INLINE V columnsAt(int x) const { return hn::LoadU(tag, this->column + x); }
-  /// The weights of the lanes that begin at column x of row y of the box.
-  HWY_INLINE V weights(V at, int, int x) const { return hn::Mul(at, this->columnsAt(x)); }
-
-private:
-  /// Above this, 1/1.7 pixels, differences of the cumulative share are used; below, where they
-  /// would lose digits, the series. They agree to 5e-7 of the centre there.
-  static constexpr float narrowest = 0.6F;
-  static constexpr float atEnd = 1.2340980e-4F; ///< e^-9
-  static constexpr float norm = 0.56443785F;    ///< 1 / integral of the kernel
-
-  /// The shares of the pixels of an axis, the first of which begins at `start` from the centre.
-  HWY_INLINE void axis(float a, float start, int pixels, float* share) const
-  {
-    const int N = lanes();
-    const V scale = hn::Set(tag, a);
-    const V first = hn::Add(hn::Iota(tag, 0), hn::Set(tag, start));
-    if (a <= narrowest)
-    {
-      const V half = hn::Set(tag, 0.5F);
-      for (int i = 0; i < pixels; i += N)
-      {
-        const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
-        hn::StoreU(wideMean(hn::Add(d, half), a), tag, share + i);
-      }
-      // The pixels that the kernel ends in.
-      if (a * start < -3)
-      {
-        share[0] = endOf(3 + a * (start + 1));
-      }
-      if (a * (start + static_cast<float>(pixels)) > 3)
-      {
-        share[pixels - 1] = endOf(3 - a * (start + static_cast<float>(pixels - 1)));
-      }
-      return;
-    }
-    V before = cumulative(tag, hn::Mul(scale, first));
-    for (int i = 0; i < pixels; i += N)
-    {
-      const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
-      // The last edge of so many pixels is among the lanes, or begins the next ones; nothing of
-      // the kernel is in lanes beyond them that lie in the tile.
-      const V next = pixels - i < N
-        ? hn::Set(tag, 0.5F)
-        : cumulative(
-            tag, hn::MulAdd(scale, hn::Set(tag, static_cast<float>(N)), hn::Mul(scale, d)));
-      hn::StoreU(hn::Sub(following(before, next), before), tag, share + i);
-      before = next;
-    }
-  }
-
-  /// Every lane the next one's value; the last has `first` of what follows.
-  static HWY_INLINE V following(V v, V first)
-  {
-    const hn::RebindToSigned<Tag> ints;
-    const int last = lanes() - 1;
-    const auto next = hn::Min(hn::Iota(ints, 1), hn::Set(ints, last));
-    const V moved = hn::TableLookupLanes(v, hn::IndicesFromVec(tag, next));
-    const auto isLast = hn::Eq(hn::Iota(tag, 0), hn::Set(tag, static_cast<float>(last)));
-    const V all = hn::TableLookupLanes(first, hn::IndicesFromVec(tag, hn::Zero(ints)));
-    return hn::IfThenElse(isLast, all, moved);
-  }
-
-  /// exp(-a^2 (x+u)^2) in powers of u, by Hermite's polynomials, averaged over the pixel |u| < 1/2:
-  /// with z = (a x)^2, b = a^2 it is e^-z times
-  ///   1 + b (z - 1/2)/6 + b^2 (z^2 - 3z + 3/4)/120 + b^3 (z^3 - 15/2 z^2 + 45/4 z - 15/8)/5040.
-  static HWY_INLINE V wideMean(V x, float a)
-  {
-    const auto number = [](float c) { return hn::Set(tag, c); };
-    const float b = a * a;
-    const V z = hn::Mul(number(b), hn::Mul(x, x));
-    const V second = hn::Sub(z, number(0.5F));
-    const V fourth = hn::MulAdd(hn::Sub(z, number(3)), z, number(0.75F));
-    const V sixth =
-      hn::MulAdd(hn::MulAdd(hn::Sub(z, number(7.5F)), z, number(11.25F)), z, number(-1.875F));
-    const V sum = hn::MulAdd(sixth, number(b * b * b / 5040),
-      hn::MulAdd(fourth, number(b * b / 120), hn::MulAdd(second, number(b / 6), number(1))));
-    const V mean = hn::MulSub(hn::Exp(tag, hn::Neg(z)), sum, number(atEnd));
-    return hn::Mul(number(a * norm), hn::Max(mean, hn::Zero(tag)));
-  }
-
-  /// The share of the last e before the end, in s: the integral of e^-9 (exp(6 s - s^2) - 1), whose
-  /// terms are Hermite's numbers at 3.
-  static float endOf(float e)
-  {
-    float sum = 0.0999F;
-    for (const float c : { 0.9679F, 2.8048F, 5.3F, 7.3F, 7.5F, 5.6666667F, 3.0F })
-    {
-      sum = sum * e + c;
-    }
-    return norm * atEnd * e * e * sum;
-  }
-
-  float most;
-  HWY_ALIGN float column[tileStride];
-  HWY_ALIGN float row[tileStride];
-};
-
 /// The Gaussian kernel's means over all pixels of a tile's row and column, of splats no narrower
-/// than `narrowest`.
+/// than `narrowest`: narrower ones take differences of the cumulative share, which here would lose
+/// digits. Means of exp(-a^2 (x+u)^2) over the pixel |u| < 1/2 by powers of u and Hermite's
+/// polynomials: with z = (a x)^2, b = a^2 they are e^-z times
+///   1 + b (z - 1/2)/6 + b^2 (z^2 - 3z + 3/4)/120 + b^3 (z^3 - 15/2 z^2 + 45/4 z - 15/8)/5040.
 class WideGaussian
 {
 public:
@@ -228,35 +105,19 @@ private:
     const auto number = [](float x) { return hn::Set(tag, x); };
     const V c0 = number(c[0]), c1 = number(c[1]), c2 = number(c[2]), c3 = number(c[3]);
     const V edge = number(a * norm * atEnd);
-    V s = hn::Mul(number(a), hn::Add(hn::Iota(tag, 0), number(0.5F - centre)));
-    const V step = number(a * static_cast<float>(lanes()));
+    const V first = hn::Add(hn::Iota(tag, 0), number(0.5F - centre));
     for (int i = 0; i < tileSide; i += lanes())
     {
-      const V z = hn::Min(hn::Mul(s, s), number(10));
+      const V s = hn::Mul(number(a), hn::Add(first, number(static_cast<float>(i))));
+      const V z = hn::Mul(s, s);
       const V sum = hn::MulAdd(hn::MulAdd(hn::MulAdd(c3, z, c2), z, c1), z, c0);
-      const V mean = hn::MulSub(decay(z), sum, edge);
+      const V mean = hn::MulSub(hn::Exp(tag, hn::Neg(z)), sum, edge);
       hn::Store(hn::Max(mean, hn::Zero(tag)), tag, share + i);
-      s = hn::Add(s, step);
     }
     for (int i = tileSide; i < tileStride; i += lanes())
     {
       hn::Store(hn::Zero(tag), tag, share + i);
     }
-  }
-
-  /// e^-z for 0 <= z <= 10, as the eighth power of a polynomial: 4e-7.
-  static HWY_INLINE V decay(V z)
-  {
-    const auto number = [](float x) { return hn::Set(tag, x); };
-    V sum = number(-5.11935616e-11F);
-    for (const float c : { 4.66749227e-9F, -2.49263528e-7F, 1.01495882e-5F, -3.25463543e-4F,
-           0.00781242919F, -0.124999966F, 0.999999997F })
-    {
-      sum = hn::MulAdd(sum, z, number(c));
-    }
-    sum = hn::Mul(sum, sum);
-    sum = hn::Mul(sum, sum);
-    return hn::Mul(sum, sum);
   }
 
   /// The share of the last e before the end, in s: the integral of e^-9 (exp(6 s - s^2) - 1), whose
@@ -271,6 +132,82 @@ private:
     }
     return hn::Mul(hn::Mul(hn::Set(d, norm * atEnd), sum), hn::Mul(e, e));
   }
+};
+
+/// The Gaussian kernel's means over the pixels, see gaussianCumulative(): a product of a function
+/// of the pixel's column and one of its row.
+class Gaussian
+{
+public:
+  using D = Tag;
+  Box box;
+
+  /// False if the splat misses the tile.
+  HWY_INLINE bool prepare(const Splat& splat)
+  {
+    const float h = std::max(splat.h, 1e-4F);
+    if (!this->box.clip(splat, h))
+    {
+      return false;
+    }
+    const float a = 3 / h;
+    this->most = gaussianMostOfAPixel(a);
+    if (h >= WideGaussian::narrowest)
+    {
+      WideGaussian::weights(splat, this->column, this->row);
+      return true;
+    }
+    this->axis(a, static_cast<float>(this->box.x0 - splat.column()) - splat.x, this->box.columns,
+      this->column + this->box.x0);
+    this->axis(a, static_cast<float>(this->box.y0 - splat.row()) - splat.y, this->box.rows,
+      this->row + this->box.y0);
+    return true;
+  }
+  float mostOfAPixel() const { return this->most; }
+
+  static constexpr bool isGeneral = false; ///< else the weights are no product of row and column
+  HWY_INLINE V rowAt(int y) const { return hn::Set(tag, this->row[this->box.y0 + y]); }
+  HWY_INLINE V columnsAt(int x) const { return hn::LoadU(tag, this->column + this->box.x0 + x); }
+  /// The weights of the lanes that begin at column x of row y of the box.
+  HWY_INLINE V weights(V at, int, int x) const { return hn::Mul(at, this->columnsAt(x)); }
+
+private:
+  /// The shares of the pixels of an axis, the first of which begins at `start` from the centre.
+  HWY_INLINE void axis(float a, float start, int pixels, float* share) const
+  {
+    const int N = lanes();
+    const V scale = hn::Set(tag, a);
+    const V first = hn::Add(hn::Iota(tag, 0), hn::Set(tag, start));
+    V before = cumulative(tag, hn::Mul(scale, first));
+    for (int i = 0; i < pixels; i += N)
+    {
+      const V d = hn::Add(first, hn::Set(tag, static_cast<float>(i)));
+      // The last edge of so many pixels is among the lanes, or begins the next ones; nothing of
+      // the kernel is in lanes beyond them that lie in the tile.
+      const V next = pixels - i < N
+        ? hn::Set(tag, 0.5F)
+        : cumulative(
+            tag, hn::MulAdd(scale, hn::Set(tag, static_cast<float>(N)), hn::Mul(scale, d)));
+      hn::StoreU(hn::Sub(following(before, next), before), tag, share + i);
+      before = next;
+    }
+  }
+
+  /// Every lane the next one's value; the last has `first` of what follows.
+  static HWY_INLINE V following(V v, V first)
+  {
+    const hn::RebindToSigned<Tag> ints;
+    const int last = lanes() - 1;
+    const auto next = hn::Min(hn::Iota(ints, 1), hn::Set(ints, last));
+    const V moved = hn::TableLookupLanes(v, hn::IndicesFromVec(tag, next));
+    const auto isLast = hn::Eq(hn::Iota(tag, 0), hn::Set(tag, static_cast<float>(last)));
+    const V all = hn::TableLookupLanes(first, hn::IndicesFromVec(tag, hn::Zero(ints)));
+    return hn::IfThenElse(isLast, all, moved);
+  }
+
+  float most;
+  HWY_ALIGN float column[tileStride];
+  HWY_ALIGN float row[tileStride];
 };
 
 /// A NearParticle.

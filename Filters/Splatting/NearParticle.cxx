@@ -1,7 +1,5 @@
 #include "Filters/Splatting/NearParticle.h"
 
-#include "Filters/Splatting/GaussianKernel.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #define galaxy_NearParticle_h
 
 #include "Filters/Splatting/Camera.h"
+#include "Filters/Splatting/GaussianKernel.h"
 #include "Filters/Splatting/Render.h"
 
 #include <cmath>
@@ -30,6 +31,12 @@ struct NearParticle
   /// to 1 % over the kernel's sigma.
   static constexpr double within = 2;
 
+  /// Whether a particle is, at such a place from the eye; in a parallel projection none is.
+  static bool is(const Vec3& fromEye, double smoothingLength, const Camera& camera)
+  {
+    return !camera.parallel && length(fromEye) < within * smoothingLength;
+  }
+
   /// Of the kernel, in smoothing lengths.
   static constexpr double sigmas(Kernel kernel)
   {
@@ -57,7 +64,7 @@ struct NearParticle
 inline float nearMostOfAPixel(Kernel kernel, const Camera& camera)
 {
   const double sigma = camera.scale * NearParticle::sigmas(kernel);
-  return static_cast<float>(0.3187 / (sigma * sigma));
+  return static_cast<float>(gaussianPeak / (sigma * sigma));
 }
 } // namespace galaxy
 

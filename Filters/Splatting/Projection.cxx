@@ -142,7 +142,7 @@ Projection::Place Projection::placeOf(std::size_t i) const
   Place place;
   place.seen = { dot(d, c.right), dot(d, c.up), dot(d, c.forward) };
   const double radius = this->radius(i);
-  if (!c.parallel && length(d) < NearParticle::within * radius)
+  if (NearParticle::is(d, radius, c))
   {
     // On every pixel.
     place.ratio = c.scale / radius;

@@ -99,8 +99,15 @@ public:
     const ParticleView& p = this->particles;
     __builtin_prefetch(p.position + 3 * i);
     __builtin_prefetch(p.smoothingLength + i);
-    __builtin_prefetch(p.emission ? p.emission + this->emissionStride * i : nullptr);
-    __builtin_prefetch(p.absorption ? p.absorption + this->absorptionStride * i : nullptr);
+    const auto fetchFrom = [](const float* values, std::size_t at) {
+      if (values)
+      {
+        __builtin_prefetch(values + at);
+      }
+    };
+    fetchFrom(p.intensity, i);
+    fetchFrom(p.emission, this->emissionStride * i);
+    fetchFrom(p.absorption, this->absorptionStride * i);
   }
 
   /// The same of the particles first + which[k].

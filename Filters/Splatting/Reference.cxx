@@ -27,7 +27,7 @@ bool project(const Vec3& position, double radius, const ParticleLight& light, Ke
   const Vec3 d = position - camera.eye;
   disc.place = d;
   const double along = dot(d, camera.forward);
-  if (!camera.parallel && length(d) < NearParticle::within * radius)
+  if (NearParticle::is(d, radius, camera))
   {
     disc.near = std::make_shared<const NearParticle>(position, radius, kernel, camera);
     disc.depth = length(d);

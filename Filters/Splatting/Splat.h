@@ -108,6 +108,12 @@ struct SlabName
   }
 };
 
+/// The largest of three channels.
+inline float mostOf(const float* channels)
+{
+  return std::max({ channels[0], channels[1], channels[2] });
+}
+
 /// What a slab emits and absorbs, as Splat::light.
 struct SlabLight
 {

@@ -7,6 +7,7 @@
 #define galaxy_TilePainter_inl_h
 #endif
 
+#include "Filters/Splatting/AddLight-inl.h"
 #include "Filters/Splatting/BlockHits.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
@@ -176,9 +177,8 @@ private:
     else
     {
       const SlabLight light = this->task.projection->lightOf(splat);
-      const float thickest =
-        std::max({ light.t[0], light.t[1], light.t[2] }) * footprint.mostOfAPixel();
-      const bool emits = light.e[0] > 0 || light.e[1] > 0 || light.e[2] > 0;
+      const float thickest = mostOf(light.t) * footprint.mostOfAPixel();
+      const bool emits = mostOf(light.e) > 0;
       if (thickest > this->opaqueFrom)
       {
         this->absorbAll(splat, light, footprint);
@@ -257,55 +257,9 @@ private:
   template <class Footprint>
   HWY_INLINE void emit(const Splat& splat, const float* light, const Footprint& footprint)
   {
-    // As many vectors a row as the footprint has: no loop then ends where none was expected to.
-    const int vectors = (footprint.box.columns + lanes(tag) - 1) / lanes(tag);
-    switch (hasOpaque || Footprint::isGeneral ? 0 : vectors)
-    {
-      case 1:
-        return this->emitRows<1>(splat, light, footprint);
-      case 2:
-        return this->emitRows<2>(splat, light, footprint);
-      case 3:
-        return this->emitRows<3>(splat, light, footprint);
-      case 4:
-        return this->emitRows<4>(splat, light, footprint);
-      default:
-        return this->emitRows<0>(splat, light, footprint);
-    }
-  }
-
-  /// Rows of so many vectors; 0: of any number, and of weights of any kind.
-  template <int vectors, class Footprint>
-  HWY_INLINE void emitRows(const Splat& splat, const float* light, const Footprint& footprint)
-  {
-    using D = typename Footprint::D;
-    using Vector = hn::Vec<D>;
-    const D d;
-    const int N = lanes(d);
-    const Box box = footprint.box;
-    const int count = vectors > 0 ? vectors : (box.columns + N - 1) / N;
-    Vector columns[std::max(vectors, 1)];
-    for (int k = 0; k < vectors; ++k)
-    {
-      columns[k] = footprint.columnsAt(k * N);
-    }
-    const Vector e[3] = { hn::Set(d, light[0]), hn::Set(d, light[1]), hn::Set(d, light[2]) };
-    float* HWY_RESTRICT sum = &this->sums.emitted.values[0][box.y0][box.x0];
-    for (int y = 0; y < box.rows; ++y, sum += tileStride)
-    {
-      const auto row = footprint.rowAt(y);
-      for (int k = 0; k < count; ++k)
-      {
-        const Vector w = vectors > 0
-          ? hn::Mul(row, columns[k])
-          : this->seen(d, footprint.weights(row, y, k * N), splat, box.y0 + y, box.x0 + k * N);
-        for (int c = 0; c < 3; ++c)
-        {
-          float* HWY_RESTRICT at = sum + c * planeSize + k * N;
-          hn::StoreU(hn::MulAdd(w, e[c], hn::LoadU(d, at)), d, at);
-        }
-      }
-    }
+    using Vector = hn::Vec<typename Footprint::D>;
+    addLight<hasOpaque>(this->sums.emitted, light, footprint,
+      [&](Vector w, int y, int x) { return this->seen(typename Footprint::D(), w, splat, y, x); });
   }
 
   /// X <- X + (E + X)(e^t - 1), tau <- tau + t; what the splat emits itself, e phi(t), is dimmed by

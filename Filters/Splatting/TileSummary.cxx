@@ -12,11 +12,6 @@ namespace galaxy
 {
 namespace
 {
-float mostOf(const float* channels)
-{
-  return std::max({ channels[0], channels[1], channels[2] });
-}
-
 /// The most of a splat's light, or optical depth, that a pixel can have.
 float mostOfAPixel(const TileTask& task, const Splat& splat)
 {

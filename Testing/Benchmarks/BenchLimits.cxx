@@ -3,6 +3,7 @@
 // vector units, both measured here.
 // Use: galaxy_bench_limits [N | SCENE.f32]
 #include "BenchScenes.h"
+#include "Filters/Splatting/Projection.h"
 #include "Filters/Splatting/TileGrid.h"
 #include "Filters/Splatting/Tiles.h"
 #include "VectorPeak.h"
@@ -49,27 +50,18 @@ struct Amounts
     : particles(double(particles.size))
   {
     const TileGrid grid(camera.width, camera.height);
-    const auto within = [](double x, int end) {
-      return static_cast<int>(std::clamp(std::floor(x), -1.0, double(end)));
-    };
+    const Projection projection(particles, camera);
     double sums[4] = { 0, 0, 0, 0 };
 #pragma omp parallel for schedule(static) reduction(+ : sums[:4])
     for (std::size_t i = 0; i < particles.size; ++i)
     {
-      const float* p = particles.position + 3 * i;
-      const Vec3 d = Vec3{ p[0], p[1], p[2] } - camera.eye;
-      const double ratio = camera.scale / dot(d, camera.forward);
-      const double x = camera.centerX + ratio * dot(d, camera.right);
-      const double y = camera.centerY + ratio * dot(d, camera.up);
-      const double h = ratio * particles.smoothingLength[i];
-      const int x0 = std::max(0, within(x - h, camera.width));
-      const int y0 = std::max(0, within(y - h, camera.height));
-      const int x1 = std::min(camera.width - 1, within(x + h, camera.width));
-      const int y1 = std::min(camera.height - 1, within(y + h, camera.height));
-      if (x0 > x1 || y0 > y1)
+      ProjectionCounts counts;
+      const PixelBox box = projection.classify(i, counts);
+      if (box.empty())
       {
         continue;
       }
+      const int x0 = box.x0, y0 = box.y0, x1 = box.x1 - 1, y1 = box.y1 - 1;
       const int columns = (x1 + grid.left) / tileSide - (x0 + grid.left) / tileSide + 1;
       const int rows = (y1 + grid.bottom) / tileSide - (y0 + grid.bottom) / tileSide + 1;
       const double pixels = double(x1 - x0 + 1) * (y1 - y0 + 1);

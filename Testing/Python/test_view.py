@@ -58,6 +58,17 @@ class View(unittest.TestCase):
             setattr(display, name, value)
         return display
 
+    def show_many(self, count):
+        """The display of so many stars, and what is seen of them: 20 in all over 4 square kpc."""
+        rng = np.random.default_rng(1)
+        places = rng.uniform(-1, 1, (count, 3)).astype(np.float32)
+        light = np.full((count, 3), 20 / count, dtype=np.float32)
+        source = gt.particles(places, np.full(count, 0.05), Emission=light)
+        display = self.show(source, PreviewTime=0.01)
+        display.Exposure = 0.5 / 5
+        simple.Render(self.view)
+        return display, self.shot()
+
     def keep_camera(self):
         self.view.CameraParallelScale = 2.0
         self.view.CameraPosition = [0, 0, 5]
@@ -171,14 +182,7 @@ class View(unittest.TestCase):
         self.assertLess(self.shot().max(), 0.01)
 
     def test_a_preview_while_the_view_moves(self):
-        rng = np.random.default_rng(1)
-        places = rng.uniform(-1, 1, (200000, 3)).astype(np.float32)
-        light = np.full((len(places), 3), 1e-4, dtype=np.float32)
-        source = gt.particles(places, np.full(len(places), 0.05), Emission=light)
-        display = self.show(source, PreviewTime=0.01)
-        display.Exposure = 0.5 / 5  # 20 in all over 4 square kpc
-        simple.Render(self.view)
-        whole = self.shot()
+        display, whole = self.show_many(200000)
         self.assertNotIn("stand for all", display.RenderStatistics)
         self.view.LODThreshold = 0  # also what is small is "large" then
         view = self.view.GetClientSideObject()
@@ -194,14 +198,7 @@ class View(unittest.TestCase):
         np.testing.assert_allclose(after, whole, atol=1 / 254)
 
     def test_a_view_that_rests_is_refined(self):
-        rng = np.random.default_rng(1)
-        places = rng.uniform(-1, 1, (400000, 3)).astype(np.float32)
-        light = np.full((len(places), 3), 5e-5, dtype=np.float32)
-        source = gt.particles(places, np.full(len(places), 0.05), Emission=light)
-        display = self.show(source, PreviewTime=0.01)
-        display.Exposure = 0.5 / 5  # 20 in all over 4 square kpc
-        simple.Render(self.view)
-        whole = self.shot()
+        display, whole = self.show_many(400000)
         self.view.LODThreshold = 0
         view = self.view.GetClientSideObject()
         view.Update()
