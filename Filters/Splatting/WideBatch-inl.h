@@ -35,7 +35,7 @@ public:
   HWY_INLINE void add(const Splat& splat)
   {
     Emitter& emitter = this->emitters[this->count++];
-    WideGaussian::weights(splat, emitter.column, this->row);
+    WideGaussian::weights<false>(splat, emitter.column, this->row);
     for (int y = 0; y < tileSide; y += lanes())
     {
       const V w = hn::Load(tag, this->row + y);
