@@ -7,6 +7,7 @@
 #define galaxy_TilePainter_inl_h
 #endif
 
+#include "Filters/Splatting/Absorb-inl.h"
 #include "Filters/Splatting/AddLight-inl.h"
 #include "Filters/Splatting/BlockHits.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
@@ -46,15 +47,7 @@ public:
     std::size_t k = 0;
     for (; k < this->task.count && !this->endsBefore(k, 1); ++k)
     {
-      const Splat& splat = this->next(k);
-      if (splat.kind() == SplatKind::Near)
-      {
-        this->drawNear(splat);
-      }
-      else if (footprint.prepare(splat))
-      {
-        this->draw(splat, footprint);
-      }
+      this->drawAlone(this->next(k), footprint);
       this->endFullSpan();
     }
     this->endSpan();
@@ -91,13 +84,9 @@ public:
         {
           this->emitLater(batch.splats[i]);
         }
-        else if (batch.splats[i].kind() == SplatKind::Near)
+        else
         {
-          this->drawNear(batch.splats[i]);
-        }
-        else if (wide.prepare(batch.splats[i]))
-        {
-          this->draw(batch.splats[i], wide);
+          this->drawAlone(batch.splats[i], wide);
         }
       }
       this->endFullSpan();
@@ -109,7 +98,6 @@ public:
 private:
   static constexpr std::size_t looksAfter = 2048;
   static constexpr std::size_t ahead = 16;
-  static constexpr int planeSize = tileSide * tileStride; ///< from one channel to the next
   static constexpr int planes = absorption == TileAbsorption::None ? 0
     : absorption == TileAbsorption::Grey                           ? 1
                                                                    : 3;
@@ -178,7 +166,6 @@ private:
     {
       const SlabLight light = this->task.projection->lightOf(splat);
       const float thickest = mostOf(light.t) * footprint.mostOfAPixel();
-      const bool emits = mostOf(light.e) > 0;
       if (thickest > this->opaqueFrom)
       {
         this->absorbAll(splat, light, footprint);
@@ -191,7 +178,7 @@ private:
         this->depthSoFar = thickest;
       }
       const bool isThin = thickest < 0.125F;
-      if (emits)
+      if (mostOf(light.e) > 0)
       {
         isThin ? this->absorb<true, true>(splat, light, footprint)
                : this->absorb<true, false>(splat, light, footprint);
@@ -201,6 +188,20 @@ private:
         isThin ? this->absorb<false, true>(splat, light, footprint)
                : this->absorb<false, false>(splat, light, footprint);
       }
+    }
+  }
+
+  /// With a footprint of its own, for which there is room.
+  template <class Footprint>
+  HWY_INLINE void drawAlone(const Splat& splat, Footprint& footprint)
+  {
+    if (splat.kind() == SplatKind::Near)
+    {
+      this->drawNear(splat);
+    }
+    else if (footprint.prepare(splat))
+    {
+      this->draw(splat, footprint);
     }
   }
 
@@ -240,110 +241,46 @@ private:
     this->late.clear();
   }
 
-  /// The weights with the pixels left out whose opaque geometry is nearer.
-  template <class D>
-  HWY_INLINE hn::Vec<D> seen(D d, hn::Vec<D> w, const Splat& splat, int y, int x) const
+  /// What leaves out of a splat's weights the pixels whose opaque geometry is nearer.
+  template <class Footprint>
+  HWY_INLINE auto seeing(const Splat& splat) const
   {
-    if constexpr (hasOpaque)
-    {
-      const auto opaque = hn::LoadU(d, &this->sums.opaque[y][x]);
-      const auto depth = hn::Set(d, static_cast<float>(splat.depth));
-      return hn::IfThenZeroElse(hn::Lt(opaque, depth), w);
-    }
-    return w;
+    return [this, &splat](hn::Vec<typename Footprint::D> w, int y, int x) {
+      if constexpr (hasOpaque)
+      {
+        const typename Footprint::D d;
+        const auto opaque = hn::LoadU(d, &this->sums.opaque[y][x]);
+        const auto depth = hn::Set(d, static_cast<float>(splat.depth));
+        return hn::IfThenZeroElse(hn::Lt(opaque, depth), w);
+      }
+      return w;
+    };
   }
 
-  /// E <- E + e.
   template <class Footprint>
   HWY_INLINE void emit(const Splat& splat, const float* light, const Footprint& footprint)
   {
-    using Vector = hn::Vec<typename Footprint::D>;
-    addLight<hasOpaque>(this->sums.emitted, light, footprint,
-      [&](Vector w, int y, int x) { return this->seen(typename Footprint::D(), w, splat, y, x); });
+    addLight<hasOpaque>(
+      this->sums.emitted, light, footprint, this->template seeing<Footprint>(splat));
   }
 
-  /// X <- X + (E + X)(e^t - 1), tau <- tau + t; what the splat emits itself, e phi(t), is dimmed by
-  /// its own t with all else: E <- E + e phi(t) e^t = E + e (e^t - 1)/t.
   template <bool emits, bool isThin, class Footprint>
   HWY_NOINLINE void absorb(const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
-    using D = typename Footprint::D;
-    using Vector = hn::Vec<D>;
-    const D d;
-    const Box box = footprint.box;
-    const int first = box.y0 * tileStride + box.x0;
-    const float* before = &this->emittedBefore(box).values[0][0][0] + first;
-    float* emitted = &this->sums.emitted.values[0][0][0] + first;
-    float* surplus = &this->sums.surplus.values[0][0][0] + first;
-    float* depths = &this->sums.depth.values[0][0][0] + first;
-    for (int y = 0; y < box.rows; ++y)
-    {
-      const auto row = footprint.rowAt(y);
-      for (int x = 0; x < box.columns; x += lanes(d))
-      {
-        const Vector w = this->seen(d, footprint.weights(row, y, x), splat, box.y0 + y, box.x0 + x);
-        for (int plane = 0; plane < planes; ++plane)
-        {
-          const int at = plane * planeSize + y * tileStride + x;
-          const Vector t = hn::Mul(w, hn::Set(d, light.t[plane]));
-          const Vector grown = growth<isThin>(d, t);
-          const Vector gain = hn::Mul(grown, t);
-          hn::StoreU(hn::Add(hn::LoadU(d, depths + at), t), d, depths + at);
-          // One plane of optical depth stands for all three channels.
-          for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
-          {
-            const int place = c * planeSize + y * tileStride + x;
-            const Vector E = hn::LoadU(d, before + place), X = hn::LoadU(d, surplus + place);
-            hn::StoreU(hn::MulAdd(hn::Add(E, X), gain, X), d, surplus + place);
-            if constexpr (emits)
-            {
-              const Vector own = hn::Mul(w, hn::Set(d, light.e[c]));
-              hn::StoreU(hn::MulAdd(own, grown, hn::LoadU(d, emitted + place)), d, emitted + place);
-            }
-          }
-        }
-      }
-    }
+    absorbLight<planes, emits, isThin>(this->sums, this->emittedBefore(footprint.box), light,
+      footprint, this->template seeing<Footprint>(splat));
   }
 
-  /// Of any optical depth: a span ends before it with what it emits itself, e phi(t), and one
-  /// begins with its t, which nothing of that span has to outgrow.
+  /// Of any optical depth: a span ends before it with what it emits itself, and one begins with its
+  /// depth, which nothing of that span has to outgrow.
   template <class Footprint>
   HWY_NOINLINE void absorbAll(
     const Splat& splat, const SlabLight& light, const Footprint& footprint)
   {
-    using D = typename Footprint::D;
-    using Vector = hn::Vec<D>;
-    const D d;
-    const Box box = footprint.box;
-    const auto forEach = [&](auto put) {
-      for (int y = box.y0; y < box.y0 + box.rows; ++y)
-      {
-        const auto row = footprint.rowAt(y - box.y0);
-        for (int x = box.x0; x < box.x0 + box.columns; x += lanes(d))
-        {
-          const Vector w = footprint.weights(row, y - box.y0, x - box.x0);
-          for (int plane = 0; plane < planes; ++plane)
-          {
-            const Vector seen = this->seen(d, w, splat, y, x);
-            put(plane, y, x, seen, hn::Mul(seen, hn::Set(d, light.t[plane])));
-          }
-        }
-      }
-    };
-    forEach([&](int plane, int y, int x, Vector w, Vector t) {
-      const Vector left = hn::Mul(w, escapeOf(d, t));
-      for (int c = plane; c < (planes == 3 ? plane + 1 : 3); ++c)
-      {
-        float* emitted = &this->sums.emitted.values[c][y][x];
-        hn::StoreU(hn::MulAdd(left, hn::Set(d, light.e[c]), hn::LoadU(d, emitted)), d, emitted);
-      }
-    });
-    this->endSpan(box);
-    forEach([&](int plane, int y, int x, Vector, Vector t) {
-      float* depth = &this->sums.depth.values[plane][y][x];
-      hn::StoreU(hn::Add(hn::LoadU(d, depth), t), d, depth);
-    });
+    const auto seen = this->template seeing<Footprint>(splat);
+    addEscaping<planes>(this->sums, light, footprint, seen);
+    this->endSpan(footprint.box);
+    addDepth<planes>(this->sums, light, footprint, seen);
   }
 
   /// In a box, E and what is still to be added to it.

@@ -16,6 +16,9 @@ template <typename Real>
 struct TilePlanes
 {
   alignas(64) Real values[3][tileSide][tileStride];
+  /// `place` is a row times the stride plus a column.
+  Real* at(int channel, int place) { return &this->values[channel][0][0] + place; }
+  const Real* at(int channel, int place) const { return &this->values[channel][0][0] + place; }
   void fill(Real value)
   {
     for (auto& plane : this->values)
