@@ -9,7 +9,6 @@
 
 #include "Filters/Splatting/CubicSpline.h"
 #include "Filters/Splatting/LaneMath-inl.h"
-#include "Filters/Splatting/NearParticle.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/SplineWeights.h"
 #include "Filters/Splatting/TileSums.h"
@@ -34,12 +33,13 @@ struct Box
 
   HWY_INLINE bool clip(const Splat& splat, float h)
   {
+    const float reach = kernelCut * h;
     // By scalars: a vector gathered from single numbers would wait for all stores before it.
     const int column = splat.column(), row = splat.row();
-    const int x1 = inTile(column + 1, splat.x + h);
-    const int y1 = inTile(row + 1, splat.y + h);
-    this->x0 = inTile(column, splat.x - h);
-    this->y0 = inTile(row, splat.y - h);
+    const int x1 = inTile(column + 1, splat.x + reach);
+    const int y1 = inTile(row + 1, splat.y + reach);
+    this->x0 = inTile(column, splat.x - reach);
+    this->y0 = inTile(row, splat.y - reach);
     this->columns = x1 - this->x0;
     this->rows = y1 - this->y0;
     return this->columns > 0 && this->rows > 0;
@@ -91,7 +91,7 @@ public:
     {
       hn::Store(shareAtEnd(ends, hn::Load(ends, part + k)), ends, part + k);
     }
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < 4 && kernelCut == 1; ++k)
     {
       *at[k] = part[k];
     }
@@ -114,27 +114,17 @@ private:
       const V s = hn::Mul(number(a), hn::Add(first, number(static_cast<float>(i))));
       const V z = hn::Min(hn::Mul(s, s), number(10));
       const V sum = hn::MulAdd(hn::MulAdd(hn::MulAdd(c3, z, c2), z, c1), z, c0);
-      const V mean = hn::MulSub(isExact ? hn::Exp(tag, hn::Neg(z)) : decay(z), sum, edge);
+      V mean = hn::MulSub(isExact ? hn::Exp(tag, hn::Neg(z)) : decay(z), sum, edge);
+      if constexpr (kernelCut < 1)
+      {
+        mean = hn::IfThenElseZero(hn::Lt(z, number(9 * kernelCut * kernelCut)), mean);
+      }
       hn::Store(hn::Max(mean, hn::Zero(tag)), tag, share + i);
     }
     for (int i = tileSide; i < tileStride; i += lanes())
     {
       hn::Store(hn::Zero(tag), tag, share + i);
     }
-  }
-
-  /// e^-z for 0 <= z <= 10, as the eighth power of a polynomial: 4e-7.
-  static HWY_INLINE V decay(V z)
-  {
-    V sum = hn::Set(tag, -5.11935616e-11F);
-    for (const float c : { 4.66749227e-9F, -2.49263528e-7F, 1.01495882e-5F, -3.25463543e-4F,
-           0.00781242919F, -0.124999966F, 0.999999997F })
-    {
-      sum = hn::MulAdd(sum, z, hn::Set(tag, c));
-    }
-    sum = hn::Mul(sum, sum);
-    sum = hn::Mul(sum, sum);
-    return hn::Mul(sum, sum);
   }
 
   /// The share of the last e before the end, in s: the integral of e^-9 (exp(6 s - s^2) - 1), whose
@@ -227,52 +217,6 @@ private:
   float most;
   HWY_ALIGN float column[tileStride];
   HWY_ALIGN float row[tileStride];
-};
-
-/// A NearParticle.
-class NearFootprint
-{
-public:
-  using D = Tag;
-  static constexpr bool isGeneral = true;
-  Box box{ 0, 0, tileSide, tileSide };
-  float most;
-
-  /// In a tile with such a corner; sigma in pixels as SplatBlock has them.
-  void prepare(
-    const NearParticle& particle, const Camera& camera, double sigmaInPixels, int left, int bottom)
-  {
-    const auto number = [](double x) { return hn::Set(tag, static_cast<float>(x)); };
-    const double perScale = 1 / camera.scale;
-    const V x = number(particle.x), y = number(particle.y), z = number(particle.z);
-    const V end = number(std::exp(-9.0)), half = number(0.5), one = number(1);
-    const V peak = number(nearPeak / (sigmaInPixels * sigmaInPixels));
-    const V step = number(perScale);
-    for (int row = 0; row < tileSide; ++row)
-    {
-      const V v = number((bottom + row + 0.5 - camera.centerY) * perScale);
-      for (int column = 0; column < tileSide; column += lanes())
-      {
-        const V u = hn::MulAdd(
-          hn::Iota(tag, 0), step, number((left + column + 0.5 - camera.centerX) * perScale));
-        const V cx = hn::NegMulAdd(z, v, y), cy = hn::MulSub(z, u, x),
-                cz = hn::MulSub(x, v, hn::Mul(y, u));
-        const V length2 = hn::MulAdd(u, u, hn::MulAdd(v, v, one));
-        const V b2 = hn::Div(hn::MulAdd(cx, cx, hn::MulAdd(cy, cy, hn::Mul(cz, cz))), length2);
-        const V s = hn::Div(hn::MulAdd(x, u, hn::MulAdd(y, v, z)), hn::Sqrt(length2));
-        const V profile = hn::Max(hn::Sub(hn::Exp(tag, hn::Neg(b2)), end), hn::Zero(tag));
-        const V before = hn::Add(cumulative(tag, s), half);
-        hn::Store(hn::Mul(hn::Mul(peak, profile), before), tag, this->table[row] + column);
-      }
-    }
-  }
-  float mostOfAPixel() const { return this->most; }
-  HWY_INLINE V rowAt(int) const { return hn::Zero(tag); }
-  HWY_INLINE V columnsAt(int) const { return hn::Zero(tag); }
-  HWY_INLINE V weights(V, int y, int x) const { return hn::LoadU(tag, this->table[y] + x); }
-
-private:
-  HWY_ALIGN float table[tileSide][tileStride];
 };
 
 /// The projected cubic spline, see SplineWeights.

@@ -10,6 +10,9 @@
 #ifndef GALAXY_DEPTH_BITS
 #define GALAXY_DEPTH_BITS 32
 #endif
+#ifndef GALAXY_KERNEL_CUT
+#define GALAXY_KERNEL_CUT 1
+#endif
 #ifndef GALAXY_SUM
 #define GALAXY_SUM double
 #endif
@@ -21,6 +24,9 @@ namespace galaxy
 constexpr int tileSide = GALAXY_TILE_SIDE;
 /// Of Splat::depth, up to 32.
 constexpr int depthBits = GALAXY_DEPTH_BITS;
+/// Smoothing lengths from the centre, along each axis, where a footprint is cut off; less than 1
+/// loses the light beyond.
+constexpr float kernelCut = GALAXY_KERNEL_CUT;
 /// What spans are added up in, see TileSums.
 using SpanSum = GALAXY_SUM;
 } // namespace galaxy

@@ -43,6 +43,9 @@ struct NearParticle
     return kernel == Kernel::Gaussian ? 1.0 / 3 : 0.3873;
   }
 
+  /// From the eye, sigma^2.
+  double distance2() const { return this->x * this->x + this->y * this->y + this->z * this->z; }
+
   /// In sigma^2, b^2 of the ray through (u, v, 1), and s in sigma.
   double offset2(double u, double v) const
   {
@@ -57,6 +60,25 @@ struct NearParticle
 
   /// The share of its light that a ray sees, per kpc^2.
   double column(double u, double v) const;
+};
+
+/// The directions that a tile's pixels look into.
+class TileCone
+{
+public:
+  TileCone() = default;
+  TileCone(const Camera& camera, int left, int bottom);
+
+  /// Through a point of the image: right, up and forward, of length 1.
+  static Vec3 ray(const Camera& camera, double x, double y);
+
+  /// Whether no ray of the tile passes the particle within 3 sigma, in front of the eye or no more
+  /// than 3 sigma behind it, where the kernel ends.
+  bool misses(const NearParticle& particle) const;
+
+private:
+  Vec3 middle;                 ///< right, up and forward, of length 1
+  double cosine = 1, sine = 0; ///< of the angle from there to the farthest corner
 };
 
 /// The most of its light that a pixel can have, where a pixel is as large as one at the distance of

@@ -128,8 +128,9 @@ private:
     const Ints ints;
     const auto zero = hn::Zero(d);
     const auto side = hn::Set(d, static_cast<float>(tileSide));
-    const auto low = hn::Add(pixel, hn::Floor(hn::Sub(place, h)));
-    const auto high = hn::Add(hn::Add(pixel, hn::Set(d, 1.0F)), hn::Floor(hn::Add(place, h)));
+    const auto reach = hn::Mul(h, hn::Set(d, kernelCut));
+    const auto low = hn::Add(pixel, hn::Floor(hn::Sub(place, reach)));
+    const auto high = hn::Add(hn::Add(pixel, hn::Set(d, 1.0F)), hn::Floor(hn::Add(place, reach)));
     const auto begin = hn::Min(hn::Max(low, zero), side);
     const auto end = hn::Min(hn::Max(high, zero), side);
     const auto pixels = hn::Sub(end, begin);

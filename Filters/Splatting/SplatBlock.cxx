@@ -116,8 +116,9 @@ struct Seen
 HWY_INLINE void storeTiles(
   const Seen& seen, const Camera& c, const TileGrid& grid, int k, BlockTiles& tiles)
 {
-  const Range columns(seen.x, seen.h, grid.left, grid.width);
-  const Range rows(seen.y, seen.h, grid.bottom, grid.height);
+  const W reach = hn::Mul(seen.h, hn::Set(wide, kernelCut));
+  const Range columns(seen.x, reach, grid.left, grid.width);
+  const Range rows(seen.y, reach, grid.bottom, grid.height);
   const auto column0 = columns.firstTile(), row0 = rows.firstTile();
   const auto column1 = columns.lastTile(), row1 = rows.lastTile();
   hn::StoreU(column0, ints, tiles.column0 + k);

@@ -10,6 +10,7 @@
 #include "Filters/Splatting/Absorb-inl.h"
 #include "Filters/Splatting/AddLight-inl.h"
 #include "Filters/Splatting/BlockHits.h"
+#include "Filters/Splatting/NearFootprint-inl.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TileMoves-inl.h"
@@ -166,6 +167,11 @@ private:
     {
       const SlabLight light = this->task.projection->lightOf(splat);
       const float thickest = mostOf(light.t) * footprint.mostOfAPixel();
+      if (thickest == 0)
+      {
+        this->emit(splat, light.e, footprint);
+        return;
+      }
       if (thickest > this->opaqueFrom)
       {
         this->absorbAll(splat, light, footprint);
@@ -208,12 +214,39 @@ private:
   HWY_NOINLINE void drawNear(const Splat& splat)
   {
     const Projection& projection = *this->task.projection;
-    NearFootprint footprint;
     const Camera& camera = projection.seenBy();
-    footprint.prepare(projection.near(splat, this->task.kernel), camera,
-      camera.scale * NearParticle::sigmas(this->task.kernel), this->task.left, this->task.bottom);
-    footprint.most = nearMostOfAPixel(this->task.kernel, camera);
-    this->draw(splat, footprint);
+    if (!this->near.hasTile())
+    {
+      this->near.setTile(camera, this->task.left, this->task.bottom);
+      this->near.most = nearMostOfAPixel(this->task.kernel, camera);
+    }
+    const SlabLight light = projection.lightOf(splat);
+    const bool onlyEmits = planes == 0 || mostOf(light.t) == 0;
+    const double sigma = camera.scale * NearParticle::sigmas(this->task.kernel);
+    const NearParticle particle = projection.near(splat, this->task.kernel);
+    if (!(onlyEmits ? this->near.template prepare<false>(particle, sigma)
+                    : this->near.template prepare<true>(particle, sigma)))
+    {
+      return;
+    }
+    if (!hasOpaque && onlyEmits && this->near.isAtNodes())
+    {
+      const bool isDepth = planes == 0 && this->task.isOneSource;
+      this->lateNear.add(isDepth ? light.t : light.e, this->near.atNodes());
+      if (this->lateNear.isFull())
+      {
+        this->emitLateNear();
+      }
+      return;
+    }
+    this->near.spread();
+    this->draw(splat, this->near);
+  }
+
+  void emitLateNear()
+  {
+    this->lateNear.moveTo(this->sums.emitted);
+    this->count({ 0, 0, tileSide, tileSide });
   }
 
   /// Whether a splat of so many pixels is better emitted with others.
@@ -286,6 +319,10 @@ private:
   /// In a box, E and what is still to be added to it.
   HWY_INLINE const TilePlanes<float>& emittedBefore(const Box& box)
   {
+    if (!this->lateNear.empty())
+    {
+      this->emitLateNear();
+    }
     if (this->late.empty())
     {
       return this->sums.emitted;
@@ -306,6 +343,10 @@ private:
     if (!this->late.empty())
     {
       this->emitLate();
+    }
+    if (!this->lateNear.empty())
+    {
+      this->lateNear.moveTo(this->sums.emitted);
     }
     TileMoves<planes>::move(this->sums, box);
   }
@@ -328,7 +369,9 @@ private:
 
   const TileTask& task;
   TileSums& sums;
-  WideBatch late;       ///< not yet in the sums
+  WideBatch late; ///< not yet in the sums
+  NearFootprint near;
+  NearLight lateNear;   ///< not yet in the sums
   BlockHits hits;       ///< in this span
   float depthSoFar = 0; ///< no pixel has more optical depth in this span
   float spanDepth;      ///< the most that it may be before an absorber is added

@@ -257,7 +257,8 @@ void benchEffects(std::size_t n, int size, Output& output)
 std::string knobsOfBuild()
 {
   return "tiles of " + std::to_string(tileSide) + ", depths of " + std::to_string(depthBits) +
-    " bits, sums in " + (sizeof(SpanSum) == sizeof(double) ? "double" : "float");
+    " bits, sums in " + (sizeof(SpanSum) == sizeof(double) ? "double" : "float") +
+    (kernelCut < 1 ? ", kernels cut at " + std::to_string(kernelCut).substr(0, 3) : "");
 }
 
 /// What is built into the program: drawn as it is, and nothing else.

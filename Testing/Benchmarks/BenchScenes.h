@@ -152,20 +152,24 @@ inline BenchScene benchScene(const std::string& source)
 struct BenchView
 {
   const char* name;
-  bool edgeOn;
-  double halfWidth; ///< kpc
+  Vec3 eye, up;     ///< the eye looks at the origin
+  double halfWidth; ///< of the picture there, kpc
   bool hasGas;
 
   Camera camera() const
   {
-    return benchCamera(this->edgeOn ? Vec3{ 1, 0, 0 } : Vec3{ 0, 0, 1 },
-      this->edgeOn ? Vec3{ 0, 0, 1 } : Vec3{ 0, 1, 0 }, this->halfWidth, 1024);
+    const double angle = 360 / M_PI * std::atan(this->halfWidth / length(this->eye));
+    return Camera::lookAt(this->eye, {}, this->up, false, 1, angle, 1024, 1024);
   }
 };
-inline const BenchView benchViews[] = { { "wide/face-on", false, 42, true },
-  { "wide/edge-on", true, 42, true }, { "close/face-on", false, 10, true },
-  { "close/edge-on", true, 10, true }, { "stars/face-on", false, 10, false },
-  { "stars/edge-on", true, 10, false } };
+inline const Vec3 faceOn = { 0, 0, 100 }, edgeOn = { 100, 0, 0 }, north = { 0, 1, 0 },
+                  axis = { 0, 0, 1 };
+inline const BenchView benchViews[] = { { "wide/face-on", faceOn, north, 42, true },
+  { "wide/edge-on", edgeOn, axis, 42, true }, { "close/face-on", faceOn, north, 10, true },
+  { "close/edge-on", edgeOn, axis, 10, true }, { "stars/face-on", faceOn, north, 10, false },
+  { "stars/edge-on", edgeOn, axis, 10, false } };
+/// From the middle of the disc's plane, among its particles, with 90 degrees from side to side.
+inline const BenchView insideView = { "inside", { 8, 0, 0 }, axis, 8, true };
 } // namespace galaxy
 
 #endif

@@ -42,7 +42,8 @@ def measure(arguments):
 
 # Other values of what is built in (Filters/Splatting/Knobs.h), one at a time.
 BUILDS = [[], ["GALAXY_TILE_SIDE=16"], ["GALAXY_TILE_SIDE=64"], ["GALAXY_DEPTH_BITS=24"],
-          ["GALAXY_DEPTH_BITS=16"], ["GALAXY_SUM=float"]]
+          ["GALAXY_DEPTH_BITS=16"], ["GALAXY_SUM=float"], ["GALAXY_KERNEL_CUT=0.8F"],
+          ["GALAXY_KERNEL_CUT=0.6F"]]
 
 
 def measure_builds(arguments):

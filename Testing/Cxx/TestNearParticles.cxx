@@ -1,6 +1,7 @@
 // Hard cases 27 and 28: the eye inside a particle, or a cloud of them. Lines as in HardCaseTable.
 #include "Filters/Splatting/GaussianKernel.h"
 #include "Filters/Splatting/NearParticle.h"
+#include "Filters/Splatting/TileNodes.h"
 #include "HardCaseTable.h"
 #include "RenderFixtures.h"
 
@@ -100,6 +101,20 @@ TEST(NearParticles, InACloudThePictureIsTheReferences)
       EXPECT_LE(largestDifference(bounded.radiance, slow.radiance),
         options.allowed.light + 0.02 * largest(slow.radiance));
     }
+  }
+}
+
+/// Where pixels are fine, particles are drawn by the tiles' nodes.
+TEST(NearParticles, AtNodesThePictureIsTheReferences)
+{
+  const Camera camera = eyeAt(0.3, 300, 28);
+  ASSERT_TRUE(TileNodes::suffice(camera));
+  for (const bool absorbs : { false, true })
+  {
+    const Scene scene = cloud(200, absorbs);
+    const auto fast = draw(scene, camera, Accuracy::Sorted, Kernel::Gaussian);
+    checkSame(
+      "28", "eye in a cloud, fine pixels", renderReference(scene.view(), camera, {}), fast, 5e-6);
   }
 }
 
