@@ -47,6 +47,25 @@ void vtkSplatSettings::ClearComponentBrightness()
   this->ClearFactors(this->Brightnesses);
 }
 
+void vtkSplatSettings::SetComponentColor(
+  const char* component, double red, double green, double blue)
+{
+  if (component)
+  {
+    this->Colors[component] = { red, green, blue };
+    this->Modified();
+  }
+}
+
+void vtkSplatSettings::ClearComponentColor()
+{
+  if (!this->Colors.empty())
+  {
+    this->Colors.clear();
+    this->Modified();
+  }
+}
+
 void vtkSplatSettings::SetComponentVisibility(const char* component, int visible)
 {
   this->SetFactor(this->Visibilities, component, visible);
@@ -67,6 +86,10 @@ std::string vtkSplatSettings::UnknownNames(
     {
       unknown.insert(factor.first);
     }
+  }
+  for (const auto& color : this->Colors)
+  {
+    unknown.insert(color.first);
   }
   for (const galaxy::ComponentInfo& component : components)
   {
@@ -93,6 +116,12 @@ void vtkSplatSettings::Apply(
     galaxy::ComponentInfo& component = components[i];
     component.size *= factor(this->Sizes, component.name);
     component.brightness *= factor(this->Brightnesses, component.name);
+    const auto color = this->Colors.find(component.name);
+    if (color != this->Colors.end())
+    {
+      component.isRecolored = true;
+      component.color = color->second;
+    }
     visible[i] = factor(this->Visibilities, component.name) != 0;
   }
 }

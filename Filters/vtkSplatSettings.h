@@ -12,6 +12,7 @@
 #include "vtkGalaxyReconstructionModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <array>  // for colours
 #include <map>    // for the factors by component name
 #include <string> // for component names
 #include <vector> // for the component table
@@ -81,6 +82,13 @@ public:
   void ClearComponentBrightness();
   ///@}
   ///@{
+  /// Draws a component's light in this colour, each channel from 0 to 1, in place of its particles'
+  /// Color; an absorber's are what it takes from each channel. Light that the particles' Emission
+  /// and Absorption give keeps its colour.
+  void SetComponentColor(const char* component, double red, double green, double blue);
+  void ClearComponentColor();
+  ///@}
+  ///@{
   /// Whether a component is drawn (default: all are).
   void SetComponentVisibility(const char* component, int visible);
   void ClearComponentVisibility();
@@ -112,6 +120,7 @@ private:
   FactorMap Sizes;
   FactorMap Brightnesses;
   FactorMap Visibilities;
+  std::map<std::string, std::array<double, 3>> Colors;
 };
 
 /// The methods through which a class with a member `vtkSplatSettings* Settings` (or smart pointer)
@@ -153,6 +162,14 @@ private:
   void ClearComponentBrightness()                                                                  \
   {                                                                                                \
     this->Settings->ClearComponentBrightness();                                                    \
+  }                                                                                                \
+  void SetComponentColor(const char* component, double red, double green, double blue)             \
+  {                                                                                                \
+    this->Settings->SetComponentColor(component, red, green, blue);                                \
+  }                                                                                                \
+  void ClearComponentColor()                                                                       \
+  {                                                                                                \
+    this->Settings->ClearComponentColor();                                                         \
   }                                                                                                \
   void SetComponentVisibility(const char* component, int visible)                                  \
   {                                                                                                \

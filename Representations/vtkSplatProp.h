@@ -4,7 +4,9 @@
  *
  * The picture is computed on the CPU for the renderer's camera, then laid over what the renderer
  * has drawn: first the destination times the transmittance, then plus the tone-mapped radiance,
- * each per channel. Drawn in the overlay stage, so that it neither enters nor disturbs depth
+ * each per channel. Of several such props in a renderer the first draws the particles of all, in
+ * one depth order, each with its own exposure and component factors; the stretch, the gamma and the
+ * kernel are the first's. Drawn in the overlay stage, so that it neither enters nor disturbs depth
  * peeling; opaque geometry hides the particles behind it through the depth buffer.
  */
 #ifndef vtkSplatProp_h
@@ -16,11 +18,18 @@
 
 #include <memory> // for the picture kept between renderings
 #include <string> // for the statistics
+#include <vector> // for the props drawn together
 
 class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkRenderer;
 class vtkSplatSettings;
+
+namespace galaxy
+{
+class SplatPicture;
+struct ToneMap;
+}
 
 class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatProp : public vtkProp
 {
@@ -85,9 +94,10 @@ private:
   vtkSplatProp(const vtkSplatProp&) = delete;
   void operator=(const vtkSplatProp&) = delete;
 
-  void UpdatePicture(vtkRenderer* renderer);
-  /// What the next picture may take, of which the shortest is given; 0 for all particles.
-  double NextSeconds(double shortest);
+  /// The props that the renderer draws particles of, the first of which draws all of them.
+  std::vector<vtkSplatProp*> DrawnTogether(vtkRenderer* renderer);
+  void UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSplatProp*>& props);
+  galaxy::ToneMap GetToneMap() const;
   void DrawPicture(vtkOpenGLRenderWindow* window);
   /// When the particles or the settings changed last.
   vtkMTimeType InputTime();
@@ -105,11 +115,8 @@ private:
   std::string ActiveEffects;
   std::string RenderStatistics;
 
-  struct Picture; // what was computed last and for which camera
-  struct Canvas;  // what OpenGL holds of it
-  struct Engine;  // what is kept from picture to picture
-  std::unique_ptr<Picture> LastPicture;
-  std::unique_ptr<Engine> Splatting;
+  struct Canvas; // what OpenGL holds of the picture
+  std::unique_ptr<galaxy::SplatPicture> Picture;
   std::unique_ptr<Canvas> GLCanvas;
 };
 

@@ -78,6 +78,9 @@ struct ComponentInfo
   std::array<double, 3> absorption{ 1, 1, 1 }; ///< RGB_A of an absorber
   double size = 1;                             ///< factor on the smoothing length when drawn
   double brightness = 1;                       ///< factor on emission or cross-section when drawn
+  double light = 1;                            ///< a further factor on emission alone
+  bool isRecolored = false;                    ///< drawn with `color` in place of its own
+  std::array<double, 3> color{ 1, 1, 1 };      ///< of its light, or of what it absorbs
 };
 
 /// Particles as structure of arrays: 24 bytes each, 36 with velocities.

@@ -35,6 +35,21 @@ ProjectionCounts& ProjectionCounts::operator+=(const ProjectionCounts& other)
   return *this;
 }
 
+Projection::Factors::Factors(const ComponentInfo& component, double weight)
+  : size(component.size)
+  , light(static_cast<float>(component.brightness * component.light * weight))
+  , opacity(static_cast<float>(component.brightness * weight))
+  , isRecolored(component.isRecolored)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    const double color = component.isRecolored ? component.color[c] : 1;
+    this->emission[c] = component.absorbs ? 0 : static_cast<float>(color * this->light / 255);
+    const double absorption = component.isRecolored ? component.color[c] : component.absorption[c];
+    this->absorption[c] = component.absorbs ? static_cast<float>(absorption * this->opacity) : 0;
+  }
+}
+
 Projection::Projection(const ParticleView& particles_, const Camera& camera_)
   : particles(particles_)
   , camera(camera_)
@@ -46,29 +61,12 @@ Projection::Projection(const ParticleView& particles_, const Camera& camera_)
   const std::size_t components =
     this->particles.components ? this->particles.components->size() : 0;
   const std::size_t shown = this->particles.visible ? this->particles.visible->size() : 0;
-  this->table.resize(std::max<std::size_t>({ components, shown, 1 }));
-  for (std::size_t k = 0; k < components; ++k)
+  const ComponentInfo plain;
+  for (std::size_t k = 0; k < std::max<std::size_t>({ components, shown, 1 }); ++k)
   {
-    const ComponentInfo& info = (*this->particles.components)[k];
-    Factors& factors = this->table[k];
-    factors.size = info.size;
+    const ComponentInfo& info = k < components ? (*this->particles.components)[k] : plain;
+    this->table.emplace_back(info, this->particles.weight);
     this->hasSizes |= info.size != 1;
-    factors.brightness = static_cast<float>(info.brightness);
-    factors.emission = info.absorbs ? 0 : static_cast<float>(info.brightness / 255);
-    for (int c = 0; c < 3 && info.absorbs; ++c)
-    {
-      factors.absorption[c] = static_cast<float>(info.brightness * info.absorption[c]);
-    }
-  }
-  const auto weight = static_cast<float>(this->particles.weight);
-  for (Factors& factors : this->table)
-  {
-    factors.brightness *= weight;
-    factors.emission *= weight;
-    for (float& absorption : factors.absorption)
-    {
-      absorption *= weight;
-    }
   }
   for (std::size_t k = 0; k < shown; ++k)
   {
@@ -102,7 +100,7 @@ void Projection::light(
   const ParticleView& p = this->particles;
   // The most common arrays, with nothing to look up.
   const bool isPlain = p.emission && p.absorption && this->table.size() == 1;
-  const float brightness = this->table[0].brightness;
+  const float light = this->table[0].light, opacity = this->table[0].opacity;
   for (int k = 0; k < count; ++k)
   {
     const std::size_t i = first + which[k];
@@ -113,16 +111,16 @@ void Projection::light(
       const float* K = p.absorption + this->absorptionStride * i;
       for (int c = 0; c < 3; ++c)
       {
-        lights.L[c][k] = brightness * L[this->emissionStep * c];
-        lights.K[c][k] = brightness * K[this->absorptionStep * c];
+        lights.L[c][k] = light * L[this->emissionStep * c];
+        lights.K[c][k] = opacity * K[this->absorptionStep * c];
       }
       continue;
     }
-    const ParticleLight light = this->light(i);
+    const ParticleLight both = this->light(i);
     for (int c = 0; c < 3; ++c)
     {
-      lights.L[c][k] = light.L[c];
-      lights.K[c][k] = light.K[c];
+      lights.L[c][k] = both.L[c];
+      lights.K[c][k] = both.K[c];
     }
   }
 }

@@ -82,12 +82,12 @@ public:
     ParticleLight light;
     for (int c = 0; c < 3; ++c)
     {
-      const int color = p.color ? p.color[3 * i + c] : 255;
+      const int color = p.color && !f.isRecolored ? p.color[3 * i + c] : 255;
       light.L[c] = p.emission
-        ? f.brightness * p.emission[this->emissionStride * i + this->emissionStep * c]
-        : f.emission * I * color;
+        ? f.light * p.emission[this->emissionStride * i + this->emissionStep * c]
+        : f.emission[c] * I * color;
       light.K[c] = p.absorption
-        ? f.brightness * p.absorption[this->absorptionStride * i + this->absorptionStep * c]
+        ? f.opacity * p.absorption[this->absorptionStride * i + this->absorptionStep * c]
         : f.absorption[c] * I;
     }
     return light;
@@ -176,10 +176,15 @@ private:
   struct Factors
   {
     double size = 1;
-    float brightness = 1;
-    float emission = 1.0f / 255;       ///< per unit of Intensity times Color; 0 for absorbers
+    float light = 1, opacity = 1; ///< on what Emission and Absorption say
+    /// Per unit of Intensity times Color; 0 for absorbers.
+    float emission[3] = { 1.0F / 255, 1.0F / 255, 1.0F / 255 };
     float absorption[3] = { 0, 0, 0 }; ///< per unit of Intensity; 0 for emitters
+    bool isRecolored = false;          ///< as if Color were white
     bool visible = true;
+
+    Factors() = default;
+    Factors(const ComponentInfo& component, double weight);
   };
   const Factors& factors(std::size_t i) const
   {

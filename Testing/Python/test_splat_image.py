@@ -87,7 +87,7 @@ class SplatImage(unittest.TestCase):
         radiance, _ = gt.splat(source, SIZE, **SIGNATURE)
         np.testing.assert_allclose(radiance[CENTRE], 2 * G * np.array([1, 0.2, 0]), rtol=3e-3)
 
-    def test_size_and_brightness_of_a_component(self):
+    def test_size_brightness_and_color_of_a_component(self):
         reader = gt.simple.Spheroid(Sigma=[0.001] * 3, NumberOfParticles=1, SmoothingLength=H)
         plain, _ = gt.splat(reader, SIZE, **SIGNATURE)
         settings = {"ComponentBrightness": ["spheroid", "3"]}
@@ -98,6 +98,9 @@ class SplatImage(unittest.TestCase):
         np.testing.assert_allclose(smaller.max(), plain.max() / 0.7**2, rtol=1e-2)
         hidden, _ = gt.splat(reader, SIZE, **SIGNATURE, ComponentVisibility=["spheroid", "0"])
         np.testing.assert_array_equal(hidden, 0)
+        colored, _ = gt.splat(
+            reader, SIZE, **SIGNATURE, ComponentColor=["spheroid", "1", "0.5", "0.25"])
+        np.testing.assert_allclose(colored, plain * [1, 0.5, 0.25], rtol=1e-5)
         other, _ = gt.splat(reader, SIZE, **SIGNATURE, ComponentBrightness=["nobody", "3"])
         np.testing.assert_array_equal(other, plain)
 

@@ -1,86 +1,17 @@
 """The representation Splats in a render view, beside other things. Needs a display."""
-import os
 import re
 import unittest
 
 import numpy as np
 from paraview import simple
-from PIL import Image
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import galaxy_testing as gt
+from view_testing import G0, H, SIZE, ViewTest
 
 gt.load_plugin()
-SIZE = 240
-H = 0.9
-G0 = 1 / (np.pi * (H / 3) ** 2 * (1 - np.exp(-9)))
 
 
-class View(unittest.TestCase):
-    def setUp(self):
-        self.view = simple.CreateView("RenderView")
-        self.addCleanup(simple.Delete, self.view)
-        self.view.ViewSize = [SIZE, SIZE]
-        self.view.OrientationAxesVisibility = 0
-        self.view.UseColorPaletteForBackground = 0
-        self.view.Background = [0.0, 0.0, 0.0]
-        self.view.CameraParallelProjection = 1
-        self.view.CameraParallelScale = 2.0
-        self.view.CameraPosition = [0, 0, 5]
-        self.view.CameraFocalPoint = [0, 0, 0]
-        self.view.CameraViewUp = [0, 1, 0]
-
-    def shot(self, size=SIZE):
-        path = os.path.join(gt.output_folder(), f"view-{os.getpid()}.png")
-        simple.SaveScreenshot(path, self.view, ImageResolution=[size, size])
-        with Image.open(path) as image:
-            return np.asarray(image.convert("RGB"), dtype=float) / 255
-
-    def pixels(self):
-        """What the window shows, without rendering it again."""
-        grab = vtkWindowToImageFilter()
-        grab.SetInput(self.view.GetRenderWindow())
-        grab.ReadFrontBufferOff()
-        grab.ShouldRerenderOff()
-        grab.Update()
-        image = grab.GetOutput()
-        width, height, _ = image.GetDimensions()
-        values = vtk_to_numpy(image.GetPointData().GetScalars())
-        return values.reshape(height, width, -1)[::-1, :, :3] / 255
-
-    def show(self, source, **properties):
-        display = simple.Show(source, self.view)
-        display.Representation = "Splats"
-        display.Stretch = 0
-        display.Exposure = 1 / G0
-        for name, value in properties.items():
-            setattr(display, name, value)
-        return display
-
-    def show_many(self, count):
-        """The display of so many stars, and what is seen of them: 20 in all over 4 square kpc."""
-        rng = np.random.default_rng(1)
-        places = rng.uniform(-1, 1, (count, 3)).astype(np.float32)
-        light = np.full((count, 3), 20 / count, dtype=np.float32)
-        source = gt.particles(places, np.full(count, 0.05), Emission=light)
-        display = self.show(source, PreviewTime=0.01)
-        display.Exposure = 0.5 / 5
-        simple.Render(self.view)
-        return display, self.shot()
-
-    def keep_camera(self):
-        self.view.CameraParallelScale = 2.0
-        self.view.CameraPosition = [0, 0, 5]
-        self.view.CameraFocalPoint = [0, 0, 0]
-
-    def emitter(self, position=(0, 0, 0), color=(1, 1, 1)):
-        return gt.particles([position], [H], Emission=np.array([color], dtype=np.float32))
-
-    def absorber(self, optical_depth, position=(0, 0, 0)):
-        absorption = np.array([optical_depth], dtype=np.float32) / G0
-        return gt.particles([position], [H], Absorption=absorption)
-
+class View(ViewTest):
     def test_pixel_equals_splat_image(self):
         source = self.emitter((0.3, -0.2, 0), (0.9, 0.6, 0.3))
         self.show(source)
@@ -251,14 +182,6 @@ class View(unittest.TestCase):
         self.assertGreater(pictures["Sorted"].max(), 0.2)
         np.testing.assert_allclose(pictures["Bounded"], pictures["Sorted"], atol=1 / 512 + 1 / 255)
         self.assertAlmostEqual(pictures["Preview"].mean() / pictures["Sorted"].mean(), 1, delta=0.2)
-
-    def test_two_views_and_two_representations(self):
-        self.show(self.emitter((-0.5, 0, 0), (1, 0, 0)))
-        self.show(self.emitter((0.5, 0, 0), (0, 1, 0)))
-        self.keep_camera()
-        picture = self.shot()
-        self.assertGreater(picture[SIZE // 2, int(1.5 / 4 * SIZE), 0], 0.9)
-        self.assertGreater(picture[SIZE // 2, int(2.5 / 4 * SIZE), 1], 0.9)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,108 @@
+#include "RendererCamera.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace galaxy
+{
+namespace
+{
+/// The depth buffer of the part of the window that the renderer draws, in [0, 1].
+std::vector<float> readDepthBuffer(vtkRenderer* renderer)
+{
+  int size[2], origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  std::vector<float> depth(static_cast<std::size_t>(size[0]) * size[1]);
+  int viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[2] == size[0] && viewport[3] == size[1])
+  {
+    renderer->GetRenderWindow()->GetZbufferData(
+      origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, depth.data());
+    return depth;
+  }
+  // A supersampling pass draws into a larger buffer of its own.
+  std::vector<float> large(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(
+    viewport[0], viewport[1], viewport[2], viewport[3], GL_DEPTH_COMPONENT, GL_FLOAT, large.data());
+  for (int y = 0; y < size[1]; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>((y + 0.5) * viewport[3] / size[1]);
+    for (int x = 0; x < size[0]; ++x)
+    {
+      const std::size_t column = static_cast<std::size_t>((x + 0.5) * viewport[2] / size[0]);
+      depth[static_cast<std::size_t>(y) * size[0] + x] = large[row * viewport[2] + column];
+    }
+  }
+  return depth;
+}
+} // namespace
+
+Camera cameraOf(vtkRenderer* renderer)
+{
+  int size[2], origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const int width = std::max(size[0], 1), height = std::max(size[1], 1);
+  vtkCamera* source = renderer->GetActiveCamera();
+  const vtkMatrix4x4* view = source->GetModelViewTransformMatrix();
+  const vtkMatrix4x4* P =
+    source->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+  Camera camera;
+  camera.width = width;
+  camera.height = height;
+  camera.right = { view->GetElement(0, 0), view->GetElement(0, 1), view->GetElement(0, 2) };
+  camera.up = { view->GetElement(1, 0), view->GetElement(1, 1), view->GetElement(1, 2) };
+  camera.forward = { -view->GetElement(2, 0), -view->GetElement(2, 1), -view->GetElement(2, 2) };
+  const Vec3 t{ view->GetElement(0, 3), view->GetElement(1, 3), view->GetElement(2, 3) };
+  camera.eye = (-t.x) * camera.right + (-t.y) * camera.up + t.z * camera.forward;
+  camera.parallel = source->GetParallelProjection() != 0;
+  camera.scale = 0.5 * height * P->GetElement(1, 1);
+  const int column = camera.parallel ? 3 : 2;
+  const double sign = camera.parallel ? 1 : -1;
+  camera.centerX = 0.5 * width * (1 + sign * P->GetElement(0, column));
+  camera.centerY = 0.5 * height * (1 + sign * P->GetElement(1, column));
+  return camera;
+}
+
+std::vector<float> opaqueDepth(vtkRenderer* renderer, const Camera& camera)
+{
+  std::vector<float> depth = readDepthBuffer(renderer);
+  if (std::all_of(depth.begin(), depth.end(), [](float d) { return d >= 1; }))
+  {
+    return {};
+  }
+  const vtkMatrix4x4* P = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1, 1);
+  const double p22 = P->GetElement(2, 2), p23 = P->GetElement(2, 3);
+  for (int y = 0; y < camera.height; ++y)
+  {
+    for (int x = 0; x < camera.width; ++x)
+    {
+      float& d = depth[static_cast<std::size_t>(y) * camera.width + x];
+      if (d >= 1)
+      {
+        d = std::numeric_limits<float>::infinity();
+        continue;
+      }
+      const double ndc = 2.0 * d - 1;
+      if (camera.parallel)
+      {
+        d = static_cast<float>((p23 - ndc) / p22);
+        continue;
+      }
+      const double tx = (x + 0.5 - camera.centerX) / camera.scale;
+      const double ty = (y + 0.5 - camera.centerY) / camera.scale;
+      d = static_cast<float>(p23 / (ndc + p22) * std::sqrt(1 + tx * tx + ty * ty));
+    }
+  }
+  return depth;
+}
+} // namespace galaxy

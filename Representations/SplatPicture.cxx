@@ -1,0 +1,179 @@
+#include "SplatPicture.h"
+
+#include "Filters/ParticleData.h"
+#include "vtkSplatSettings.h"
+
+#include "vtkPolyData.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+namespace galaxy
+{
+namespace
+{
+bool isSame(const Camera& p, const Camera& q)
+{
+  const auto all = [](const Camera& c) {
+    return std::make_tuple(c.eye.x, c.eye.y, c.eye.z, c.right.x, c.right.y, c.right.z, c.up.x,
+      c.up.y, c.up.z, c.forward.x, c.forward.y, c.forward.z, c.parallel, c.scale, c.centerX,
+      c.centerY, c.width, c.height);
+  };
+  return all(p) == all(q);
+}
+
+/// Which particles, and as they were when.
+std::vector<double> versionsOf(const std::vector<SplatPart>& parts)
+{
+  std::vector<double> versions;
+  for (const SplatPart& part : parts)
+  {
+    versions.push_back(static_cast<double>(std::max(part.version, part.particles->GetMTime())));
+  }
+  return versions;
+}
+
+/// How much brighter than the first part one is exposed.
+double relativeExposure(const std::vector<SplatPart>& parts, std::size_t k)
+{
+  const double first = parts.front().exposure;
+  return k == 0 || first == parts[k].exposure ? 1 : parts[k].exposure / std::max(first, 1e-30);
+}
+} // namespace
+
+bool SplatPicture::State::servesFor(const State& other) const
+{
+  const bool isGood = this->accuracy == other.accuracy &&
+    (this->accuracy != Accuracy::Bounded ||
+      (this->allowed.light <= other.allowed.light && this->allowed.share <= other.allowed.share));
+  return isGood && this->seconds == other.seconds && this->parts == other.parts &&
+    isSame(this->camera, other.camera) && this->opaqueDepth == other.opaqueDepth;
+}
+
+RenderOptions SplatPicture::optionsOf(
+  const std::vector<SplatPart>& parts, const ToneMap& toneMap) const
+{
+  RenderOptions options = renderOptions(*parts.front().settings);
+  double tolerance = parts.front().settings->GetTolerance();
+  for (const SplatPart& part : parts)
+  {
+    const RenderOptions other = renderOptions(*part.settings);
+    options.accuracy = std::min(options.accuracy, other.accuracy);
+    options.slices = std::max(options.slices, other.slices);
+    options.previewTime = std::min(options.previewTime, other.previewTime);
+    tolerance = std::min(tolerance, part.settings->GetTolerance());
+  }
+  options.allowed = allowedError(toneMap, tolerance);
+  return options;
+}
+
+void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest request)
+{
+  RenderOptions options = this->optionsOf(parts, request.toneMap);
+  options.memory = &this->memory;
+  options.progress = std::move(request.progress);
+  State next;
+  next.camera = request.camera;
+  next.seconds = this->nextSeconds(request, options.previewTime);
+  if (options.accuracy == Accuracy::Preview)
+  {
+    next.seconds = options.previewTime;
+  }
+  if (next.seconds > 0)
+  {
+    options.accuracy = Accuracy::Preview;
+  }
+  next.opaqueDepth = std::move(request.opaqueDepth);
+  next.accuracy = options.accuracy;
+  next.allowed = options.allowed;
+  next.parts = versionsOf(parts);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    next.parts.push_back(static_cast<double>(parts[k].settings->GetMTime()));
+    next.parts.push_back(relativeExposure(parts, k));
+  }
+  if (this->last.servesFor(next))
+  {
+    return;
+  }
+  options.opaqueDepth = next.opaqueDepth.empty() ? nullptr : next.opaqueDepth.data();
+  std::vector<ParticleInput> inputs(parts.size());
+  const ParticleView particles = this->view(parts, inputs);
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (options.accuracy == Accuracy::Preview)
+  {
+    next.image = this->preview.render(particles, this->version, next.camera, options, next.seconds);
+  }
+  else
+  {
+    next.image = render(particles, next.camera, options);
+    this->fullSeconds = vtkTimerLog::GetUniversalTime() - start;
+  }
+  if (next.image.aborted)
+  {
+    next.parts.clear(); // of no use later
+  }
+  this->last = std::move(next);
+}
+
+/// Where the particles are, `inputs` holding what had to be made of them.
+ParticleView SplatPicture::view(
+  const std::vector<SplatPart>& parts, std::vector<ParticleInput>& inputs)
+{
+  std::vector<ParticleView> views;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    if (!viewParticles(parts[k].particles, *parts[k].settings, inputs[k]))
+    {
+      throw std::runtime_error(inputs[k].problem);
+    }
+    for (ComponentInfo& component : inputs[k].components)
+    {
+      component.light *= relativeExposure(parts, k);
+    }
+    views.push_back(inputs[k].view);
+  }
+  std::vector<double> versions = versionsOf(parts);
+  const bool isJoint = views.size() > 1;
+  for (std::size_t k = 0; k < parts.size() && isJoint && JointParticles::keepsColors(views); ++k)
+  {
+    versions.push_back(static_cast<double>(parts[k].settings->GetMTime()));
+  }
+  if (this->versions != versions)
+  {
+    this->joint = isJoint ? std::make_unique<JointParticles>(views) : nullptr;
+    this->versions = versions;
+    ++this->version;
+  }
+  return isJoint ? this->joint->view(views) : views.front();
+}
+
+double SplatPicture::nextSeconds(const SplatRequest& request, double shortest)
+{
+  if (request.isMoving && this->fullSeconds > shortest)
+  {
+    this->seconds = shortest;
+    this->isAwaited = request.isRefined;
+    return this->seconds;
+  }
+  // What nobody will better, as a picture that is to be saved, is of all particles.
+  this->seconds = this->isAwaited ? this->seconds : 0;
+  this->isAwaited = false;
+  return this->seconds;
+}
+
+bool SplatPicture::refine()
+{
+  if (this->seconds == 0 || this->last.image.radiance.empty())
+  {
+    return false;
+  }
+  const double next = 4 * this->seconds;
+  const bool isAll = this->last.image.statistics.sampled >= this->preview.most();
+  this->seconds = isAll || next > this->fullSeconds / 2 ? 0 : next;
+  this->isAwaited = true;
+  return true;
+}
+} // namespace galaxy

@@ -1,0 +1,91 @@
+#ifndef galaxy_SplatPicture_h
+#define galaxy_SplatPicture_h
+
+#include "Filters/Splatting/JointParticles.h"
+#include "Filters/Splatting/Preview.h"
+#include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Tiles.h"
+#include "Filters/Splatting/ToneMap.h"
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+class vtkSplatSettings;
+
+namespace galaxy
+{
+struct ParticleInput;
+
+/// Particles that a view shows, and how.
+struct SplatPart
+{
+  vtkPolyData* particles;
+  vtkSplatSettings* settings;
+  double exposure;
+  vtkMTimeType version; ///< when the particles changed last
+};
+
+/// How a picture is asked for.
+struct SplatRequest
+{
+  Camera camera;
+  std::vector<float> opaqueDepth; ///< see RendererCamera.h
+  ToneMap toneMap;                ///< that of the first part
+  bool isMoving = false;          ///< a preview of what would take longer than PreviewTime will do
+  bool isRefined = false;         ///< refine() will be called when the view rests
+  std::function<bool(double)> progress; ///< see RenderOptions
+};
+
+/// The picture of all particles in a view, in one depth order, kept until something changes that it
+/// depends on: light is exposed, and its brightness changed, without it.
+class SplatPicture
+{
+public:
+  /// Computes the picture unless it is there; of several parts the first says the kernel, and the
+  /// most accurate the accuracy. Throws where particles lack an array.
+  void update(const std::vector<SplatPart>& parts, SplatRequest request);
+
+  /// What update() made.
+  const RenderedImage& image() const { return this->last.image; }
+
+  /// Lets the next picture of a view that rests be a better one, of four times the time and at last
+  /// of all particles. False if there is none.
+  bool refine();
+
+private:
+  /// All that a picture depends on.
+  struct State
+  {
+    Camera camera;
+    std::vector<float> opaqueDepth;
+    std::vector<double> parts; ///< their versions and exposures relative to the first
+    Accuracy accuracy = Accuracy::Bounded;
+    ErrorBound allowed;
+    double seconds = 0; ///< that it may take; 0: however long
+    RenderedImage image;
+
+    bool servesFor(const State& other) const;
+  };
+
+  RenderOptions optionsOf(const std::vector<SplatPart>& parts, const ToneMap& toneMap) const;
+  ParticleView view(const std::vector<SplatPart>& parts, std::vector<ParticleInput>& inputs);
+  double nextSeconds(const SplatRequest& request, double shortest);
+
+  State last;
+  RenderMemory memory;
+  Preview preview;
+  std::unique_ptr<JointParticles> joint; ///< of several parts
+  std::vector<double> versions;          ///< of the parts drawn
+  std::uint64_t version = 0;             ///< another one whenever these are others
+  double fullSeconds = 0;                ///< what the last picture of all particles took
+  double seconds = 0;     ///< what the picture shown was to take; 0: it is of all particles
+  bool isAwaited = false; ///< a better one will be asked for
+};
+} // namespace galaxy
+
+#endif
