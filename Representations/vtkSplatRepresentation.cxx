@@ -1,6 +1,8 @@
 #include "vtkSplatRepresentation.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -12,6 +14,7 @@ vtkStandardNewMacro(vtkSplatRepresentation);
 
 vtkSplatRepresentation::vtkSplatRepresentation()
   : Prop(vtkSmartPointer<vtkSplatProp>::New())
+  , Annotation(vtkSmartPointer<vtkSkyAnnotation>::New())
   , Settings(this->Prop->GetSettings())
   , Particles(vtkSmartPointer<vtkPolyData>::New())
 {
@@ -59,7 +62,11 @@ int vtkSplatRepresentation::ProcessViewRequest(
   {
     // ParaView asks for less detail while the view of large data moves.
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
-    this->Prop->SetParticles(vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this)));
+    auto particles = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
+    this->Prop->SetParticles(particles);
+    vtkDataArray* distance = particles ? particles->GetFieldData()->GetArray("Distance") : nullptr;
+    this->Annotation->SetDistance(
+      distance && distance->GetNumberOfTuples() > 0 ? distance->GetComponent(0, 0) : 0);
   }
   else if (request == vtkPVRenderView::REQUEST_STREAMING_UPDATE())
   {
@@ -82,6 +89,7 @@ bool vtkSplatRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddViewProp(this->Prop);
+  renderView->GetNonCompositedRenderer()->AddViewProp(this->Annotation);
   // A window asks its views for better pictures while they rest only where they are to be streamed.
   vtkPVView::SetEnableStreaming(true);
   return this->Superclass::AddToView(view);
@@ -95,6 +103,7 @@ bool vtkSplatRepresentation::RemoveFromView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->RemoveViewProp(this->Prop);
+  renderView->GetNonCompositedRenderer()->RemoveViewProp(this->Annotation);
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -102,10 +111,12 @@ void vtkSplatRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
   this->Prop->SetVisibility(visible);
+  this->Annotation->SetVisibility(visible);
 }
 
 void vtkSplatRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->Prop->PrintSelf(os, indent.GetNextIndent());
+  this->Annotation->PrintSelf(os, indent.GetNextIndent());
 }

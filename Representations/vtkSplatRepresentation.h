@@ -10,6 +10,7 @@
 
 #include "vtkGalaxyReconstructionModule.h" // for export macro
 #include "vtkPVDataRepresentation.h"
+#include "vtkSkyAnnotation.h" // for inline forwarding
 #include "vtkSmartPointer.h"  // for the prop
 #include "vtkSplatProp.h"     // for inline forwarding
 #include "vtkSplatSettings.h" // for the forwarding macro
@@ -35,6 +36,17 @@ public:
   vtkForwardSplatSettingsMacro;
   ///@}
 
+  ///@{
+  /// Forwarded to vtkSkyAnnotation, which gets the distance from the particles' field array
+  /// `Distance` (kpc).
+  void SetScaleBar(bool shown) { this->Annotation->SetScaleBar(shown); }
+  void SetCompass(bool shown) { this->Annotation->SetCompass(shown); }
+  void SetAnnotationColor(double red, double green, double blue)
+  {
+    this->Annotation->SetColor(red, green, blue);
+  }
+  ///@}
+
 protected:
   vtkSplatRepresentation();
   ~vtkSplatRepresentation() override;
@@ -50,6 +62,7 @@ private:
   void operator=(const vtkSplatRepresentation&) = delete;
 
   vtkSmartPointer<vtkSplatProp> Prop;
+  vtkSmartPointer<vtkSkyAnnotation> Annotation;
   vtkSplatSettings* Settings;
   vtkSmartPointer<vtkPolyData> Particles;
 };

@@ -112,6 +112,26 @@ class View(ViewTest):
         display.Visibility = 0
         self.assertLess(self.shot().max(), 0.01)
 
+    def test_scale_bar_and_compass(self):
+        display = self.show(self.emitter(), ScaleBar=1, Compass=1, AnnotationColor=[0, 1, 0])
+        display.Exposure = 0
+        self.view.CameraFocalPoint, self.view.CameraPosition = [0, 0, 0], [0, 0, 5]
+        self.view.CameraViewUp = [1, 0, 0]  # North to the left, East up
+        for parallel in (1, 0):
+            self.view.CameraParallelProjection = parallel
+            width = 4.0 if parallel else 10 * np.tan(np.radians(15))
+            for size in (SIZE, 3 * SIZE):  # the larger one is made of tiles
+                green = self.shot(size)[..., 1] > 0.5
+                lower = green[size // 2 :, :]
+                bar = np.flatnonzero(lower[int(0.45 * size) - 2 : int(0.45 * size) + 2].any(axis=0))
+                length = (bar[-1] - bar[0]) / size * width
+                self.assertAlmostEqual(length, 0.5, delta=0.02)
+                rows, columns = np.nonzero(green[: size // 2])
+                self.assertGreater(columns.min(), size // 2)  # the compass is at the upper right
+                self.assertGreater(len(rows), 40)
+        display.ScaleBar = display.Compass = 0
+        self.assertEqual(self.shot().max(), 0)
+
     def test_a_preview_while_the_view_moves(self):
         display, whole = self.show_many(200000)
         self.assertNotIn("stand for all", display.RenderStatistics)
