@@ -35,6 +35,20 @@ std::vector<double> versionsOf(const std::vector<SplatPart>& parts)
   return versions;
 }
 
+/// So much brighter may a picture be exposed before it has to be made anew.
+constexpr double headroom = 16;
+
+ErrorBound errorOf(const std::vector<SplatPart>& parts, ToneMap toneMap, double brighter)
+{
+  double tolerance = parts.front().settings->GetTolerance();
+  for (const SplatPart& part : parts)
+  {
+    tolerance = std::min(tolerance, part.settings->GetTolerance());
+  }
+  toneMap.exposure *= brighter;
+  return allowedError(toneMap, tolerance);
+}
+
 /// How much brighter than the first part one is exposed.
 double relativeExposure(const std::vector<SplatPart>& parts, std::size_t k)
 {
@@ -47,31 +61,28 @@ bool SplatPicture::State::servesFor(const State& other) const
 {
   const bool isGood = this->accuracy == other.accuracy &&
     (this->accuracy != Accuracy::Bounded ||
-      (this->allowed.light <= other.allowed.light && this->allowed.share <= other.allowed.share));
+      (this->allowed.light <= other.needed.light && this->allowed.share <= other.needed.share));
   return isGood && this->seconds == other.seconds && this->parts == other.parts &&
     isSame(this->camera, other.camera) && this->opaqueDepth == other.opaqueDepth;
 }
 
-RenderOptions SplatPicture::optionsOf(
-  const std::vector<SplatPart>& parts, const ToneMap& toneMap) const
+RenderOptions SplatPicture::optionsOf(const std::vector<SplatPart>& parts) const
 {
   RenderOptions options = renderOptions(*parts.front().settings);
-  double tolerance = parts.front().settings->GetTolerance();
   for (const SplatPart& part : parts)
   {
     const RenderOptions other = renderOptions(*part.settings);
     options.accuracy = std::min(options.accuracy, other.accuracy);
     options.slices = std::max(options.slices, other.slices);
     options.previewTime = std::min(options.previewTime, other.previewTime);
-    tolerance = std::min(tolerance, part.settings->GetTolerance());
   }
-  options.allowed = allowedError(toneMap, tolerance);
   return options;
 }
 
 void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest request)
 {
-  RenderOptions options = this->optionsOf(parts, request.toneMap);
+  RenderOptions options = this->optionsOf(parts);
+  options.allowed = errorOf(parts, request.toneMap, headroom);
   options.memory = &this->memory;
   options.progress = std::move(request.progress);
   State next;
@@ -87,6 +98,7 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   }
   next.opaqueDepth = std::move(request.opaqueDepth);
   next.accuracy = options.accuracy;
+  next.needed = errorOf(parts, request.toneMap, 1);
   next.allowed = options.allowed;
   next.parts = versionsOf(parts);
   for (std::size_t k = 0; k < parts.size(); ++k)

@@ -65,14 +65,15 @@ private:
     std::vector<float> opaqueDepth;
     std::vector<double> parts; ///< their versions and exposures relative to the first
     Accuracy accuracy = Accuracy::Bounded;
-    ErrorBound allowed;
+    ErrorBound needed;  ///< no larger an error can be seen
+    ErrorBound allowed; ///< that of the picture, less
     double seconds = 0; ///< that it may take; 0: however long
     RenderedImage image;
 
     bool servesFor(const State& other) const;
   };
 
-  RenderOptions optionsOf(const std::vector<SplatPart>& parts, const ToneMap& toneMap) const;
+  RenderOptions optionsOf(const std::vector<SplatPart>& parts) const;
   ParticleView view(const std::vector<SplatPart>& parts, std::vector<ParticleInput>& inputs);
   double nextSeconds(const SplatRequest& request, double shortest);
 

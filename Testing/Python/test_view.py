@@ -112,6 +112,25 @@ class View(ViewTest):
         display.Visibility = 0
         self.assertLess(self.shot().max(), 0.01)
 
+    def test_exposure_stretch_and_gamma_need_no_new_picture(self):
+        display, _ = self.show_many(20000)
+
+        def statistics():
+            display.UpdatePropertyInformation()
+            return str(display.RenderStatistics)  # with the seconds it took
+
+        before = statistics()
+        brightness = self.shot().mean()
+        for name, value in (("Exposure", 4 * display.Exposure), ("Stretch", 10), ("Gamma", 0.7)):
+            setattr(display, name, value)
+            other = self.shot().mean()
+            self.assertGreater(abs(other - brightness), 0.01, name)
+            self.assertEqual(statistics(), before, name)
+            brightness = other
+        display.Accuracy = "Sorted"
+        self.shot()
+        self.assertNotEqual(statistics(), before)
+
     def test_scale_bar_and_compass(self):
         display = self.show(self.emitter(), ScaleBar=1, Compass=1, AnnotationColor=[0, 1, 0])
         display.Exposure = 0
