@@ -124,7 +124,7 @@ class View(ViewTest):
         for name, value in (("Exposure", 4 * display.Exposure), ("Stretch", 10), ("Gamma", 0.7)):
             setattr(display, name, value)
             other = self.shot().mean()
-            self.assertGreater(abs(other - brightness), 0.01, name)
+            self.assertGreater(abs(other - brightness), 0.002, name)
             self.assertEqual(statistics(), before, name)
             brightness = other
         display.Accuracy = "Sorted"
