@@ -3,18 +3,23 @@
 
 #include "Filters/Splatting/Render.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace galaxy
 {
-/// From linear light to the display: exposure, then asinh stretch with the hue kept (Lupton et al.
-/// 2004, PASP 116, 133), then gamma.
+/// From linear light to the display: exposure, black and white point of each channel, then asinh
+/// stretch with the hue kept (Lupton et al. 2004, PASP 116, 133), then gamma.
 struct ToneMap
 {
   double exposure = 1; ///< factor on the radiance
   double stretch = 10; ///< softening Q: mean light x becomes asinh(Q x)/asinh(Q); 0 is linear
   double gamma = 1;    ///< displayed value is (stretched value)^(1/gamma)
+  /// Before the stretch, exposed light x becomes (x - black)/(white - black) in each channel, and
+  /// black below 0; white must be above black.
+  std::array<double, 3> black = { 0, 0, 0 };
+  std::array<double, 3> white = { 1, 1, 1 };
 };
 
 /// What error of the radiance is never seen: whichever way a picture is off by so much, no channel

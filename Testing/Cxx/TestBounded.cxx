@@ -152,12 +152,22 @@ TEST(Bounded, NothingAllowedIsTheSortedPicture)
   EXPECT_EQ(a.statistics.bound.light, 0);
 }
 
+ToneMap withLevels(ToneMap map, std::array<double, 3> black, std::array<double, 3> white)
+{
+  map.black = black;
+  map.white = white;
+  return map;
+}
+
 TEST(Bounded, OnTheDisplayNothingIsOffByMoreThanTheTolerance)
 {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (const ToneMap& map : { ToneMap{ 1, 10, 1 }, ToneMap{ 1, 0, 1 }, ToneMap{ 3, 1000, 2.2 },
-         ToneMap{ 1e-4, 0.1, 0.5 }, ToneMap{ 20, 100, 1 } })
+  for (const ToneMap& map :
+    { ToneMap{ 1, 10, 1 }, ToneMap{ 1, 0, 1 }, ToneMap{ 3, 1000, 2.2 }, ToneMap{ 1e-4, 0.1, 0.5 },
+      ToneMap{ 20, 100, 1 }, withLevels({ 1, 10, 1 }, { 0.2, 0.1, 0 }, { 1, 0.5, 3 }),
+      withLevels({ 3, 100, 2.2 }, { 0, 5, 0 }, { 10, 6, 20 }),
+      withLevels({ 1, 0, 0.5 }, { -0.3, 0.01, 0.5 }, { 1, 0.02, 0.6 }) })
   {
     for (const double tolerance : { 1.0 / 512, 0.05 })
     {
@@ -168,7 +178,9 @@ TEST(Bounded, OnTheDisplayNothingIsOffByMoreThanTheTolerance)
         float light[2][3], display[2][3];
         for (int c = 0; c < 3; ++c)
         {
-          const double l = std::pow(10, 9 * uniform(random) - 7) / map.exposure;
+          const double above =
+            (map.white[c] - map.black[c]) * std::pow(10, 9 * uniform(random) - 7);
+          const double l = std::max(0.0, map.black[c] + above) / map.exposure;
           const double worst = allowed.light + allowed.share * l;
           const double off = worst * (trial % 2 ? 2 * uniform(random) - 1 : trial & 2 ? 1 : -1);
           light[0][c] = static_cast<float>(l);

@@ -72,6 +72,44 @@ TEST(ToneMap, GammaIsAPowerOfTheStretchedValue)
   EXPECT_NEAR(display, std::pow(linear, 1 / 2.2), 1e-7);
 }
 
+TEST(ToneMap, BlackAndWhitePointsAreOfEachChannel)
+{
+  ToneMap map{ 2, 0, 1 };
+  map.black = { 0.1, 0, -0.2 };
+  map.white = { 0.5, 2, 0.8 };
+  const auto y = mapped(map, { 0.15f, 0.5f, 0.1f, 0.05f, 0.0f, 0.0f, 0.25f, 1.0f, 0.4f });
+  const float expected[] = { 0.5f, 0.5f, 0.4f, 0, 0, 0.2f, 1, 1, 1 };
+  for (int i = 0; i < 9; ++i)
+  {
+    EXPECT_NEAR(y[i], expected[i], 1e-6) << i;
+  }
+}
+
+TEST(ToneMap, WhitePointsAreAnExposureOfEachChannel)
+{
+  ToneMap map{ 1, 10, 2.2 };
+  map.white = { 0.5, 0.25, 2 };
+  const auto y = mapped(map, { 0.1f, 0.1f, 0.1f });
+  const auto same = mapped({ 1, 10, 2.2 }, { 0.2f, 0.4f, 0.05f });
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_FLOAT_EQ(y[c], same[c]);
+  }
+}
+
+TEST(ToneMap, BlackPointsDarkenTheErrorToo)
+{
+  const ErrorBound plain = allowedError({ 1, 10, 1 }, 0.01);
+  ToneMap map{ 1, 10, 1 };
+  map.black = { 0, 0.5, 0 };
+  const ErrorBound raised = allowedError(map, 0.01);
+  EXPECT_LT(raised.light, plain.light / 3.9); // twice as steep, and half of it for the share
+  EXPECT_LT(raised.share, plain.share);
+  map.black = { 0, -0.5, 0 }; // lifts: nothing is nearer to black than its light
+  EXPECT_EQ(allowedError(map, 0.01).share, plain.share);
+  EXPECT_EQ(allowedError(map, 0.01).light, plain.light);
+}
+
 TEST(ToneMap, BadLightIsBlackAndInfiniteLightIsWhite)
 {
   const float inf = std::numeric_limits<float>::infinity();
