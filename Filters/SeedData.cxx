@@ -4,6 +4,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/Model/RingGeometry.h"
 #include "Filters/ParticleData.h"
+#include "Filters/PictureData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
 
@@ -136,5 +137,6 @@ void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
   options.seed = static_cast<std::uint64_t>(randomSeed);
   options.velocities = velocities;
   toPolyData(buildFromSeeds(data.galaxy, data.component, data.seeds, options), output);
+  setSkyPlace(data.galaxy.description, output);
 }
 }

@@ -2,6 +2,7 @@
 
 #include "Filters/Model/GroupBuilder.h"
 #include "Filters/ParticleData.h"
+#include "Filters/PictureData.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -31,7 +32,14 @@ int vtkGalaxyGroupReader::RequestData(
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();
     };
-    galaxy::toPolyData(galaxy::buildGroup(group, options), vtkPolyData::GetData(outputVector, 0));
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+    galaxy::toPolyData(galaxy::buildGroup(group, options), output);
+    // The frame is the first member's; with other distances between them the sky is not theirs.
+    if (group.separation == 1 && !group.members.empty())
+    {
+      const std::string first = galaxy::besideFile(group.file, group.members.front().galaxy);
+      galaxy::setSkyPlace(galaxy::readGalaxyDescription(first), output);
+    }
   });
 }
 

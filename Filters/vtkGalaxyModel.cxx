@@ -2,6 +2,7 @@
 
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/ParticleData.h"
+#include "Filters/PictureData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
@@ -140,7 +141,9 @@ int vtkGalaxyModel::RequestData(
     }
     if (!report.aborted)
     {
-      galaxy::toPolyData(std::move(particles), vtkPolyData::GetData(outputVector, 0));
+      vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+      galaxy::toPolyData(std::move(particles), output);
+      galaxy::setSkyPlace(input.description, output);
     }
   });
 }

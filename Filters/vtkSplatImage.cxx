@@ -1,6 +1,7 @@
 #include "vtkSplatImage.h"
 
 #include "Filters/ParticleData.h"
+#include "Filters/PictureData.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Tiles.h"
 #include "Readers/ReportErrors.h"
@@ -128,8 +129,22 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   addChannels(output, "Radiance", image.radiance);
   addChannels(output, "Transmittance", image.transmittance);
   output->GetPointData()->SetActiveScalars("Radiance");
+  galaxy::setCamera(this->PictureCamera(), output);
+  galaxy::passSkyPlace(particles, output);
   this->ActiveEffects = image.statistics.activeEffects;
   this->RenderStatistics = galaxy::describe(image.statistics);
+}
+
+galaxy::PictureCamera vtkSplatImage::PictureCamera() const
+{
+  galaxy::PictureCamera camera;
+  camera.position = vector(this->CameraPosition);
+  camera.focalPoint = vector(this->CameraFocalPoint);
+  camera.viewUp = vector(this->CameraViewUp);
+  camera.parallel = this->CameraParallelProjection;
+  camera.parallelScale = this->CameraParallelScale;
+  camera.viewAngle = this->CameraViewAngle;
+  return camera;
 }
 
 void vtkSplatImage::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,7 +5,9 @@
  * Input: vtkPolyData with point array `SmoothingLength` (kpc) and either `Intensity`, `Color`,
  * `Component` with a component table, or `Emission` and `Absorption`. Output: vtkImageData with
  * the point arrays `Radiance` (float32 x 3, luminosity per kpc^2 of projected area, the pixel's
- * mean) and `Transmittance` (float32 x 3), rows from the bottom up.
+ * mean) and `Transmittance` (float32 x 3), rows from the bottom up; the camera, by the
+ * names of the properties, and GalaxyName, SkyCentre and SkyDistance, where the particles have
+ * them, in the field data.
  *
  * The model is that of Dykes et al., equation for I_after, in the form that is stable for every
  * optical depth: I <- I exp(-t) + e (1 - exp(-t))/t with e and t the column emission and optical
@@ -23,6 +25,10 @@
 #include <memory> // for what is kept
 #include <string> // for the statistics
 
+namespace galaxy
+{
+struct PictureCamera;
+}
 class vtkImageData;
 class vtkPolyData;
 
@@ -96,6 +102,7 @@ private:
   void operator=(const vtkSplatImage&) = delete;
 
   void Draw(vtkPolyData* particles, vtkImageData* output);
+  galaxy::PictureCamera PictureCamera() const;
 
   int ImageSize[2] = { 1024, 1024 };
   double CameraPosition[3] = { 0, 0, 1 };

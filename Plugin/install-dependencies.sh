@@ -7,11 +7,11 @@ set -eu
 packages="build-essential cmake ninja-build pkg-config
   paraview paraview-dev python3-paraview libopenmpi-dev libglew-dev libeigen3-dev libfreetype-dev
   libcfitsio-dev zlib1g-dev wcslib-dev liberfa-dev libtomlplusplus-dev librandom123-dev libboost-math-dev
-  libhdf5-dev libnanoflann-dev libhwy-dev
+  libhdf5-dev libnanoflann-dev libhwy-dev libopenexr-dev
   xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5"
 if [ "${1:-}" = "--tests" ]; then
   packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool
-    python3-h5py python3-yt splash"
+    python3-h5py python3-yt splash openexr ffmpeg"
 fi
 
 missing=""

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -15,6 +16,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include <sys/resource.h>
 
 namespace galaxy::testing
 {
@@ -39,6 +42,24 @@ protected:
   }
 
   std::filesystem::path folder;
+};
+
+/// No file may grow beyond this many bytes, which to a writer is what a full disk is.
+class FileSizeLimit
+{
+public:
+  explicit FileSizeLimit(rlim_t bytes)
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &this->before);
+    rlimit limit = this->before;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &this->before); }
+
+private:
+  rlimit before;
 };
 
 inline std::string contentOf(const std::string& file)

@@ -2,10 +2,8 @@
 
 #include "Filters/Export/GadgetBinary.h"
 
-#include <csignal>
 #include <limits>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 namespace galaxy::testing
@@ -16,24 +14,6 @@ constexpr std::uint64_t splitBlock = 12 * 300; ///< of a thousand particles make
 
 const ParticleFormat allFormats[] = { ParticleFormat::Gadget1, ParticleFormat::Gadget2,
   ParticleFormat::GadgetHDF5, ParticleFormat::CSV };
-
-/// No file may grow beyond this many bytes, which to a writer is what a full disk is.
-class FileSizeLimit
-{
-public:
-  explicit FileSizeLimit(rlim_t bytes)
-  {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &this->before);
-    rlimit limit = this->before;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &this->before); }
-
-private:
-  rlimit before;
-};
 
 class TestExportFiles : public ExportFolder
 {
