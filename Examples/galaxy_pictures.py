@@ -47,20 +47,30 @@ def build_galaxy(path, particle_scale=1.0):
     return model
 
 
+def field_values(particles, name):
+    """The numbers of a field array of one tuple, such as CameraEarth, without fetching the data."""
+    array = particles.FieldData[name]
+    return [array.GetRange(k)[0] for k in range(array.GetNumberOfComponents())]
+
+
+def viewpoint(particles, name):
+    """A camera that a GalaxyModel gives with its particles: Earth, FaceOn, EdgeOn or MajorAxis."""
+    c = field_values(particles, "Camera" + name)
+    return {
+        "CameraPosition": c[:3],
+        "CameraFocalPoint": c[3:6],
+        "CameraViewUp": c[6:9],
+        "CameraViewAngle": c[9],
+    }
+
+
 def disk_axes(model):
     """The inner disc's receding axis a, b at 90 degrees from it and the normal n, arrays of 3.
 
-    `model` is a GalaxyModel. The axes are read off the innermost ring that has a radius: its first
-    point lies on a, and b is a quarter turn on in the sense of rotation.
+    `model` is a GalaxyModel; b is a quarter turn on from a in the sense of rotation.
     """
-    galaxy = model.Input.GetClientSideObject().GetOutputDataObject(0)
-    rings = galaxy.GetPartition(0, 0)
-    points = vtk_to_numpy(rings.GetPoints().GetData()).astype(float)
-    circles = points.reshape(rings.GetNumberOfCells(), -1, 3)
-    ring = next(circle for circle in circles if np.ptp(circle) > 0)
-    a = ring[0] / np.linalg.norm(ring[0])
-    b = ring[len(ring) // 4] / np.linalg.norm(ring[len(ring) // 4])
-    return a, b, np.cross(a, b)
+    a, n = (np.array(field_values(model, name)) for name in ("MajorAxis", "DiskNormal"))
+    return a, np.cross(n, a), n
 
 
 def orbit_camera(axes, tilt, azimuth, half_width, view_angle=20.0):

@@ -3,6 +3,7 @@
 #include "Filters/Model/GroupBuilder.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
+#include "Filters/ViewpointData.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -32,8 +33,15 @@ int vtkGalaxyGroupReader::RequestData(
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();
     };
+    galaxy::Particles particles = galaxy::buildGroup(group, options);
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-    galaxy::toPolyData(galaxy::buildGroup(group, options), output);
+    if (particles.size() > 0)
+    {
+      const double distance = galaxy::distanceOf(group);
+      galaxy::toFieldData(
+        distance, galaxy::halfSizeOf(particles, distance), output->GetFieldData());
+    }
+    galaxy::toPolyData(std::move(particles), output);
     // The frame is the first member's; with other distances between them the sky is not theirs.
     if (group.separation == 1 && !group.members.empty())
     {

@@ -3,6 +3,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
+#include "Filters/ViewpointData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
@@ -144,6 +145,7 @@ int vtkGalaxyModel::RequestData(
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
       galaxy::toPolyData(std::move(particles), output);
       galaxy::setSkyPlace(input.description, output);
+      galaxy::toFieldData(galaxy::outlookOf(input), output->GetFieldData());
     }
   });
 }

@@ -38,7 +38,7 @@ public:
 
   ///@{
   /// Forwarded to vtkSkyAnnotation, which gets the distance from the particles' field array
-  /// `Distance` (kpc).
+  /// `SkyDistance` (kpc).
   void SetScaleBar(bool shown) { this->Annotation->SetScaleBar(shown); }
   void SetCompass(bool shown) { this->Annotation->SetCompass(shown); }
   void SetAnnotationColor(double red, double green, double blue)

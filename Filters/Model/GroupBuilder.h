@@ -13,6 +13,9 @@ namespace galaxy
 /// Empty where options.progress asked to abort. Throws Error naming the file at fault, and the key
 /// where a magnification or the separation is not greater than 0.
 Particles buildGroup(const GroupDescription& group, const BuildOptions& options = {});
+
+/// The distance of the first member, kpc. Throws Error where its file cannot be read.
+double distanceOf(const GroupDescription& group);
 } // namespace galaxy
 
 #endif

@@ -1,0 +1,96 @@
+"""The cameras that a model gives with its particles, as a script sets them, and on a server."""
+import os
+import re
+import subprocess
+import unittest
+
+import numpy as np
+from paraview import simple
+
+import galaxy_pictures as gp
+import galaxy_testing as gt
+
+CAMERAS = ("Earth", "FaceOn", "EdgeOn", "MajorAxis")
+SIZE = 200
+
+gt.load_plugin()
+
+
+def build():
+    model = simple.GalaxyModel(Input=simple.GalaxyReader(FileName=gt.M83), ParticleScale=0.05)
+    model.UpdatePipeline()
+    return model
+
+
+def starlight(model, camera):
+    """The light of the stars and the bulge alone, rows from the top."""
+    return gp.render(model, camera, SIZE, ("gas", "dust", "young stars")).sum(axis=2)
+
+
+def spread(picture):
+    """The root mean square extent of the light of a picture, across and upward, pixels."""
+    y, x = np.mgrid[:SIZE, :SIZE]
+    weight = picture / picture.sum()
+    return [np.sqrt((weight * (v - (weight * v).sum()) ** 2).sum()) for v in (x, y)]
+
+
+class Viewpoints(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.model = build()
+
+    def test_what_the_client_knows_is_what_the_data_hold(self):
+        for name in CAMERAS:
+            known = gp.field_values(self.model, "Camera" + name)
+            np.testing.assert_array_equal(known, gt.array(self.model, "Camera" + name, "field")[0])
+
+    def test_from_earth_the_picture_is_the_sky(self):
+        half_size = gp.field_values(self.model, "FieldHalfSize")[0]
+        earth = starlight(self.model, gp.viewpoint(self.model, "Earth"))
+        sky = starlight(self.model, gp.sky_camera(half_size))
+        self.assertLess(np.abs(earth - sky).sum() / sky.sum(), 0.03)
+        # A picture half a pixel off, or turned, is not.
+        self.assertGreater(np.abs(earth - np.fliplr(sky)).sum() / sky.sum(), 0.2)
+
+    def test_the_disc_is_round_and_flat(self):
+        across, upward = spread(starlight(self.model, gp.viewpoint(self.model, "FaceOn")))
+        self.assertAlmostEqual(across / upward, 1, delta=0.1)
+        across, upward = spread(starlight(self.model, gp.viewpoint(self.model, "EdgeOn")))
+        self.assertLess(upward, 0.35 * across)
+        across, upward = spread(starlight(self.model, gp.viewpoint(self.model, "MajorAxis")))
+        self.assertLess(upward, 0.35 * across)
+
+    def test_a_group_is_whole_from_earth(self):
+        group = simple.GalaxyGroup(ParticleScale=0.002, FileName=os.path.join(
+            gt.ROOT, "Examples", "M83Group", "m83group.galaxygroup"))
+        group.UpdatePipeline()
+        camera = gp.viewpoint(group, "Earth")
+        p, eye = gt.points_of(group), np.array(camera["CameraPosition"])
+        tangent = np.abs(p[:, :2]).max(axis=1) / (eye[2] - p[:, 2])
+        edge = np.tan(np.radians(camera["CameraViewAngle"] / 2))
+        self.assertAlmostEqual(tangent.max() / edge, 1, delta=1e-6)
+
+
+class ViewpointsOnAServer(unittest.TestCase):
+    def test_cameras_reach_the_client(self):
+        known = [gp.field_values(build(), "Camera" + name) for name in CAMERAS]
+        server = subprocess.Popen(["pvserver", "--server-port=0"], stdout=subprocess.PIPE, text=True)
+        try:
+            line = ""
+            while "Accepting" not in line and server.poll() is None:
+                line = server.stdout.readline()
+            simple.Connect("localhost", int(re.search(r":(\d+)", line).group(1)))
+            simple.LoadPlugin(os.environ["GALAXY_PLUGIN"], remote=True, ns=vars(simple))
+            remote = build()
+            self.assertIsNone(remote.GetClientSideObject())
+            for name, values in zip(CAMERAS, known):
+                self.assertEqual(gp.field_values(remote, "Camera" + name), values)
+            simple.Disconnect()
+        finally:
+            server.kill()
+            server.wait()
+            server.stdout.close()
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
