@@ -5,8 +5,8 @@
  * Input: a galaxy from vtkGalaxyReader. Output: particles (kpc) with `SmoothingLength`,
  * `Intensity`, `Color`, `Component`, optionally `Velocity`; in the field data the component table,
  * GalaxyName, SkyCentre (degrees) and SkyDistance (kpc), and where the galaxy is looked at from
- * (Filters/ViewpointData.h). The same file, scale and seed give the same particles, bit for bit, for
- * any number of threads.
+ * (Filters/ViewpointData.h). The same file, scale and seed give the same particles, bit for bit,
+ * for any number of threads.
  */
 #ifndef vtkGalaxyModel_h
 #define vtkGalaxyModel_h

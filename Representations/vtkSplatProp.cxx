@@ -20,6 +20,7 @@
 #include "vtk_glew.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -188,7 +189,17 @@ bool vtkSplatProp::Refine()
 
 galaxy::ToneMap vtkSplatProp::GetToneMap() const
 {
-  return { this->Exposure, this->Stretch, this->Gamma };
+  galaxy::ToneMap map{ this->Exposure, this->Stretch, this->Gamma };
+  for (int c = 0; c < 3; ++c)
+  {
+    if (!(this->WhitePoint[c] > this->BlackPoint[c]))
+    {
+      throw std::runtime_error("WhitePoint must be above BlackPoint in every channel");
+    }
+    map.black[c] = this->BlackPoint[c];
+    map.white[c] = this->WhitePoint[c];
+  }
+  return map;
 }
 
 void vtkSplatProp::DrawPicture(vtkOpenGLRenderWindow* window)
@@ -228,6 +239,11 @@ void vtkSplatProp::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "Stretch: " << this->Stretch << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
+  const auto print = [&](const char* name, const double* rgb) {
+    os << indent << name << ": " << rgb[0] << " " << rgb[1] << " " << rgb[2] << "\n";
+  };
+  print("BlackPoint", this->BlackPoint);
+  print("WhitePoint", this->WhitePoint);
   os << indent << "Interactive: " << this->Interactive << "\n";
   os << indent << "Refining: " << this->Refining << "\n";
   os << indent << "ActiveEffects: " << this->ActiveEffects << "\n";

@@ -61,6 +61,15 @@ public:
   ///@}
 
   ///@{
+  /// Exposed light that is shown as black and as white, by channel: of [black, white] the stretch
+  /// makes [0, 1]. Default 0 and 1; white must be above black.
+  vtkSetVector3Macro(BlackPoint, double);
+  vtkGetVector3Macro(BlackPoint, double);
+  vtkSetVector3Macro(WhitePoint, double);
+  vtkGetVector3Macro(WhitePoint, double);
+  ///@}
+
+  ///@{
   /// While the view moves, a preview of what would take longer than PreviewTime is shown.
   vtkSetMacro(Interactive, bool);
   vtkGetMacro(Interactive, bool);
@@ -108,6 +117,8 @@ private:
   double Exposure = 1;
   double Stretch = 10;
   double Gamma = 1;
+  double BlackPoint[3] = { 0, 0, 0 };
+  double WhitePoint[3] = { 1, 1, 1 };
   bool Interactive = false;
   bool Refining = false;
   double Bounds[6];

@@ -64,7 +64,8 @@ int vtkSplatRepresentation::ProcessViewRequest(
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
     auto particles = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
     this->Prop->SetParticles(particles);
-    vtkDataArray* distance = particles ? particles->GetFieldData()->GetArray("SkyDistance") : nullptr;
+    vtkDataArray* distance =
+      particles ? particles->GetFieldData()->GetArray("SkyDistance") : nullptr;
     this->Annotation->SetDistance(
       distance && distance->GetNumberOfTuples() > 0 ? distance->GetComponent(0, 0) : 0);
   }

@@ -31,6 +31,14 @@ public:
   void SetExposure(double exposure) { this->Prop->SetExposure(exposure); }
   void SetStretch(double stretch) { this->Prop->SetStretch(stretch); }
   void SetGamma(double gamma) { this->Prop->SetGamma(gamma); }
+  void SetBlackPoint(double red, double green, double blue)
+  {
+    this->Prop->SetBlackPoint(red, green, blue);
+  }
+  void SetWhitePoint(double red, double green, double blue)
+  {
+    this->Prop->SetWhitePoint(red, green, blue);
+  }
   const char* GetActiveEffects() { return this->Prop->GetActiveEffects(); }
   const char* GetRenderStatistics() { return this->Prop->GetRenderStatistics(); }
   vtkForwardSplatSettingsMacro;
