@@ -1,7 +1,24 @@
 # Finds ParaView, builds the plugin beside it and installs it where that ParaView looks.
 set(BUILD_SHARED_LIBS ON) # or ParaView makes the plugin a static library
 find_package(Python3 QUIET COMPONENTS Interpreter Development.Module)
-find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews WrapClientServer)
+set(components RemotingViews WrapClientServer)
+if (GALAXY_BUILD_WINDOW)
+  find_package(Qt5 QUIET COMPONENTS Widgets Network OpenGL Svg Help)
+  if (Qt5_FOUND)
+    list(APPEND components pqApplicationComponents)
+  else ()
+    message(STATUS "No development files of Qt 5 (Widgets, Network, OpenGL, Svg, Help): the plugin is built "
+      "without its menu, toolbar and table of components. On Debian they are in "
+      "qtbase5-dev, libqt5opengl5-dev, libqt5svg5-dev and qttools5-dev; GALAXY_BUILD_WINDOW=OFF leaves them out unasked.")
+  endif ()
+endif ()
+find_package(ParaView 5.11 REQUIRED COMPONENTS ${components})
+# What ParaView's own libraries are linked to and the plugin has no use for: no need to look for it.
+foreach (unused IN ITEMS LibXml2::LibXml2 hdf5::hdf5 hdf5::hdf5_hl NetCDF::NetCDF)
+  if (NOT TARGET "${unused}")
+    add_library("${unused}" INTERFACE IMPORTED)
+  endif ()
+endforeach ()
 message(STATUS "ParaView ${ParaView_VERSION} in ${ParaView_PREFIX_PATH}")
 
 if (CMAKE_INSTALL_PREFIX_INITIALIZED_TO_DEFAULT)

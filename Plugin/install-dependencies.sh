@@ -8,7 +8,8 @@ packages="build-essential cmake ninja-build pkg-config
   paraview paraview-dev python3-paraview libopenmpi-dev libglew-dev libeigen3-dev libfreetype-dev
   libcfitsio-dev zlib1g-dev wcslib-dev liberfa-dev libtomlplusplus-dev librandom123-dev libboost-math-dev
   libhdf5-dev libnanoflann-dev libhwy-dev libopenexr-dev
-  xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5"
+  xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5
+  qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev"
 if [ "${1:-}" = "--tests" ]; then
   packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool
     python3-h5py python3-yt splash openexr ffmpeg"

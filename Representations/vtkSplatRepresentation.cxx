@@ -9,8 +9,22 @@
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkStringArray.h"
 
 vtkStandardNewMacro(vtkSplatRepresentation);
+
+namespace
+{
+std::string linesOf(vtkStringArray* names)
+{
+  std::string lines;
+  for (vtkIdType k = 0; names && k < names->GetNumberOfValues(); ++k)
+  {
+    lines += names->GetValue(k) + "\n";
+  }
+  return lines;
+}
+}
 
 vtkSplatRepresentation::vtkSplatRepresentation()
   : Prop(vtkSmartPointer<vtkSplatProp>::New())
@@ -40,6 +54,8 @@ int vtkSplatRepresentation::RequestData(
       this->Particles->ShallowCopy(input);
     }
   }
+  this->ComponentNames = linesOf(vtkStringArray::SafeDownCast(
+    this->Particles->GetFieldData()->GetAbstractArray("ComponentName")));
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 

@@ -15,6 +15,8 @@
 #include "vtkSplatProp.h"     // for inline forwarding
 #include "vtkSplatSettings.h" // for the forwarding macro
 
+#include <string> // for the component names
+
 class VTKGALAXYRECONSTRUCTION_EXPORT vtkSplatRepresentation : public vtkPVDataRepresentation
 {
 public:
@@ -43,6 +45,8 @@ public:
   const char* GetRenderStatistics() { return this->Prop->GetRenderStatistics(); }
   vtkForwardSplatSettingsMacro;
   ///@}
+  /// The names of the particles' components as last read, a line each.
+  const char* GetComponentNames() { return this->ComponentNames.c_str(); }
 
   ///@{
   /// Forwarded to vtkSkyAnnotation, which gets the distance from the particles' field array
@@ -73,6 +77,7 @@ private:
   vtkSmartPointer<vtkSkyAnnotation> Annotation;
   vtkSplatSettings* Settings;
   vtkSmartPointer<vtkPolyData> Particles;
+  std::string ComponentNames;
 };
 
 #endif

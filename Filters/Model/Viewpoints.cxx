@@ -140,6 +140,12 @@ Viewpoint earthView(double distance, double halfSize)
   return { { 0, 0, distance }, {}, { 0, 1, 0 }, 2 * std::atan2(halfSize, distance) / degree };
 }
 
+double fittedAngle(double viewAngle, double aspect)
+{
+  return aspect < 1 ? 2 * std::atan(std::tan(0.5 * viewAngle * degree) / aspect) / degree
+                    : viewAngle;
+}
+
 // Tilted about the major axis M until the normal points to the eye, the sky's North (0, 1, 0) stays
 // as far along M and turns from Z x M, at right angles to M on the sky, to the minor axis.
 Viewpoint faceOnView(const Outlook& outlook)

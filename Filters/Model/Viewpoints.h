@@ -46,6 +46,9 @@ double halfSizeOf(const Particles& particles, double distance);
 /// From the observer's place, `distance` kpc before the origin, North up and East left. The angle
 /// is the one under which `halfSize` kpc to each side are seen.
 Viewpoint earthView(double distance, double halfSize);
+/// The view angle, degrees, at which a picture of this width over height shows what a square one
+/// does, and more to the sides or above and below.
+double fittedAngle(double viewAngle, double aspect);
 /// Onto the disc's face that is seen from Earth, as if the galaxy had been tilted about its line of
 /// nodes.
 Viewpoint faceOnView(const Outlook& outlook);

@@ -144,4 +144,10 @@ TEST(Viewpoints, APictureFromEarthHoldsEveryParticle)
   EXPECT_NEAR(halfSizeOf(particles, 4900), 10, 1e-6);
   EXPECT_NEAR(halfSizeOf(particles, 980), 18, 1e-6);
 }
+
+TEST(Viewpoints, ANarrowViewShowsTheWholeWidth)
+{
+  EXPECT_EQ(fittedAngle(30, 1.5), 30);
+  EXPECT_NEAR(std::tan(fittedAngle(30, 0.5) / 2 * degree), 2 * std::tan(15 * degree), 1e-12);
+}
 } // namespace galaxy
