@@ -1,6 +1,6 @@
 #include "vtkGalaxyGroupReader.h"
 
-#include "Filters/Model/GroupBuilder.h"
+#include "Filters/GroupData.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
 #include "Filters/ViewpointData.h"
@@ -42,6 +42,7 @@ int vtkGalaxyGroupReader::RequestData(
         distance, galaxy::halfSizeOf(particles, distance), output->GetFieldData());
     }
     galaxy::toPolyData(std::move(particles), output);
+    galaxy::toFieldData(galaxy::placesOf(group), group.separation, output->GetFieldData());
     // The frame is the first member's; with other distances between them the sky is not theirs.
     if (group.separation == 1 && !group.members.empty())
     {

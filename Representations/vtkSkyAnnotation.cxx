@@ -1,11 +1,13 @@
 #include "vtkSkyAnnotation.h"
 
+#include "Filters/GroupData.h"
 #include "Filters/Model/ScaleBar.h"
 
 #include "vtkActor2D.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -14,11 +16,14 @@
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkWindow.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSkyAnnotation);
 
@@ -27,6 +32,13 @@ namespace
 constexpr double Margin = 0.05;    // from the edges, of the height
 constexpr double LongestBar = 0.2; // of the width
 constexpr double Arrow = 0.07;     // of the compass, of the height
+
+void prepare(vtkTextActor* text)
+{
+  text->GetTextProperty()->SetFontSize(16);
+  text->GetTextProperty()->SetShadow(true);
+  text->GetTextProperty()->SetJustificationToCentered();
+}
 
 /// Of the whole picture's height, at the focal point. For one tile of a picture the camera sees as
 /// much less as the window says.
@@ -40,7 +52,14 @@ double heightInKpc(vtkRenderer* renderer)
 }
 }
 
+struct vtkSkyAnnotation::Group
+{
+  galaxy::GroupLabels labels;
+  std::vector<vtkSmartPointer<vtkTextActor>> actors;
+};
+
 vtkSkyAnnotation::vtkSkyAnnotation()
+  : Members(std::make_unique<Group>())
 {
   this->Drawing->SetPoints(this->Points);
   this->Drawing->SetLines(this->Lines);
@@ -55,11 +74,10 @@ vtkSkyAnnotation::vtkSkyAnnotation()
   for (const auto& text : this->TextActors)
   {
     text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-    text->GetTextProperty()->SetFontSize(16);
-    text->GetTextProperty()->SetShadow(true);
-    text->GetTextProperty()->SetJustificationToCentered();
+    prepare(text);
     text->GetTextProperty()->SetVerticalJustificationToCentered();
   }
+  this->TextActors[0]->GetTextProperty()->SetJustificationToRight(); // of any length
 }
 
 vtkSkyAnnotation::~vtkSkyAnnotation() = default;
@@ -67,7 +85,7 @@ vtkSkyAnnotation::~vtkSkyAnnotation() = default;
 int vtkSkyAnnotation::RenderOverlay(vtkViewport* viewport)
 {
   vtkRenderer* renderer = vtkRenderer::SafeDownCast(viewport);
-  if (!renderer || !(this->ScaleBar || this->Compass))
+  if (!renderer || !(this->ScaleBar || this->Compass || this->Labels))
   {
     return 0;
   }
@@ -86,6 +104,10 @@ int vtkSkyAnnotation::RenderOverlay(vtkViewport* viewport)
   if (this->Compass)
   {
     this->AddCompass(renderer, aspect);
+  }
+  if (this->Labels)
+  {
+    this->AddLabels(renderer);
   }
   this->Points->Modified();
   this->Lines->Modified();
@@ -114,7 +136,9 @@ void vtkSkyAnnotation::AddScaleBar(vtkRenderer* renderer, double aspect)
   {
     this->AddLine(end, Margin - tick / 2, end, Margin + tick / 2);
   }
-  this->AddText(0, bar.label.c_str(), (left + right) / 2, 1.8 * Margin);
+  const std::string label =
+    bar.label + (this->Members->labels.isToScale ? "" : " (galaxies not to scale)");
+  this->AddText(0, label.c_str(), right, 1.8 * Margin);
 }
 
 void vtkSkyAnnotation::AddCompass(vtkRenderer* renderer, double aspect)
@@ -147,6 +171,44 @@ void vtkSkyAnnotation::AddCompass(vtkRenderer* renderer, double aspect)
   }
 }
 
+void vtkSkyAnnotation::SetGroup(vtkFieldData* fields)
+{
+  this->Members->labels = fields ? galaxy::groupLabels(fields) : galaxy::GroupLabels();
+  this->Members->actors.clear();
+  for (const galaxy::GroupLabels::Label& label : this->Members->labels.members)
+  {
+    vtkNew<vtkTextActor> text;
+    prepare(text);
+    text->SetInput(("\n" + label.text).c_str());
+    text->GetTextProperty()->SetVerticalJustificationToTop();
+    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    text->GetPositionCoordinate()->SetValue(
+      label.position[0], label.position[1], label.position[2]);
+    this->Members->actors.push_back(text);
+  }
+}
+
+void vtkSkyAnnotation::AddLabels(vtkRenderer* renderer)
+{
+  const vtkMatrix4x4* view = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
+  for (std::size_t k = 0; k < this->Members->actors.size(); ++k)
+  {
+    const double* p = this->Members->labels.members[k].position;
+    double depth = -view->GetElement(2, 3);
+    for (int c = 0; c < 3; ++c)
+    {
+      depth -= view->GetElement(2, c) * p[c];
+    }
+    if (depth > 0)
+    {
+      vtkTextActor* text = this->Members->actors[k];
+      text->GetTextProperty()->SetColor(this->Color);
+      text->RenderOpaqueGeometry(renderer);
+      text->RenderOverlay(renderer);
+    }
+  }
+}
+
 void vtkSkyAnnotation::AddLine(double x0, double y0, double x1, double y1)
 {
   const vtkIdType ends[2] = { this->Points->InsertNextPoint(x0, y0, 0),
@@ -167,6 +229,10 @@ void vtkSkyAnnotation::ReleaseGraphicsResources(vtkWindow* window)
   {
     text->ReleaseGraphicsResources(window);
   }
+  for (const auto& text : this->Members->actors)
+  {
+    text->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -175,6 +241,7 @@ void vtkSkyAnnotation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ScaleBar: " << this->ScaleBar << "\n";
   os << indent << "Compass: " << this->Compass << "\n";
+  os << indent << "Labels: " << this->Labels << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
      << "\n";

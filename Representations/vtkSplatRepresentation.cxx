@@ -80,6 +80,7 @@ int vtkSplatRepresentation::ProcessViewRequest(
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
     auto particles = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
     this->Prop->SetParticles(particles);
+    this->Annotation->SetGroup(particles ? particles->GetFieldData() : nullptr);
     vtkDataArray* distance =
       particles ? particles->GetFieldData()->GetArray("SkyDistance") : nullptr;
     this->Annotation->SetDistance(

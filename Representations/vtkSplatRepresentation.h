@@ -50,9 +50,10 @@ public:
 
   ///@{
   /// Forwarded to vtkSkyAnnotation, which gets the distance from the particles' field array
-  /// `SkyDistance` (kpc).
+  /// `SkyDistance` (kpc) and the group from Filters/GroupData.h's.
   void SetScaleBar(bool shown) { this->Annotation->SetScaleBar(shown); }
   void SetCompass(bool shown) { this->Annotation->SetCompass(shown); }
+  void SetLabels(bool shown) { this->Annotation->SetLabels(shown); }
   void SetAnnotationColor(double red, double green, double blue)
   {
     this->Annotation->SetColor(red, green, blue);

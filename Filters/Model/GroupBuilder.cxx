@@ -40,12 +40,33 @@ void place(const Placement& placement, const GroupDescription& group, const Grou
 }
 } // namespace
 
-Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
+std::vector<GroupPlace> placesOf(const GroupDescription& group)
 {
   requireUsable(group);
+  std::vector<GroupPlace> places;
+  std::optional<SkyFrame> origin;
+  for (const GroupMember& member : group.members)
+  {
+    const GalaxyDescription galaxy = readGalaxyDescription(besideFile(group.file, member.galaxy));
+    const SkyFrame frame(galaxy.centre, galaxy.distance);
+    origin = origin ? origin : frame;
+    const auto isSame = [&](const GroupPlace& other) { return other.name == galaxy.name; };
+    if (std::any_of(places.begin(), places.end(), isSame))
+    {
+      throw Error(group.file, member.galaxy,
+        "a second member is called " + galaxy.name + "; names must differ");
+    }
+    places.push_back({ galaxy.name, 1000 * galaxy.distance,
+      placementOf(frame, *origin, group.magnification * member.magnification, group.separation) });
+  }
+  return places;
+}
+
+Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
+{
+  const std::vector<GroupPlace> places = placesOf(group);
   std::vector<Particles> parts;
   std::vector<std::string> names;
-  std::optional<SkyFrame> origin;
   const double count = static_cast<double>(group.members.size());
   for (const GroupMember& member : group.members)
   {
@@ -57,25 +78,14 @@ Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
       memberOptions.progress = [&](double f) { return options.progress((done + f) / count); };
     }
     const Galaxy galaxy = readGalaxy(besideFile(group.file, member.galaxy));
-    const SkyFrame frame(galaxy.description.centre, galaxy.description.distance);
-    if (!origin)
-    {
-      origin = frame;
-    }
     BuildReport report;
     parts.push_back(buildGalaxy(galaxy, memberOptions, &report));
     if (report.aborted)
     {
       return {};
     }
-    if (std::count(names.begin(), names.end(), galaxy.description.name))
-    {
-      throw Error(group.file, member.galaxy,
-        "a second member is called " + galaxy.description.name + "; names must differ");
-    }
     names.push_back(galaxy.description.name);
-    place(placementOf(frame, *origin, group.magnification * member.magnification, group.separation),
-      group, member, parts.back());
+    place(places[names.size() - 1].placement, group, member, parts.back());
   }
   return mergeParticles(parts, names);
 }

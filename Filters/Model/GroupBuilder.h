@@ -2,6 +2,10 @@
 #define galaxy_GroupBuilder_h
 
 #include "Filters/Model/GalaxyBuilder.h"
+#include "Filters/Model/Placement.h"
+
+#include <string>
+#include <vector>
 
 namespace galaxy
 {
@@ -13,6 +17,17 @@ namespace galaxy
 /// Empty where options.progress asked to abort. Throws Error naming the file at fault, and the key
 /// where a magnification or the separation is not greater than 0.
 Particles buildGroup(const GroupDescription& group, const BuildOptions& options = {});
+
+/// A member of a group in the frame of the first one.
+struct GroupPlace
+{
+  std::string name;
+  double distance = 0; ///< from Earth, kpc: the true one, whatever the separation
+  Placement placement;
+};
+
+/// Where all of them are. Throws Error as buildGroup does.
+std::vector<GroupPlace> placesOf(const GroupDescription& group);
 
 /// The distance of the first member, kpc. Throws Error where its file cannot be read.
 double distanceOf(const GroupDescription& group);

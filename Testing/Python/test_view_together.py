@@ -1,8 +1,10 @@
 """Several Splats representations in one view, and several views. Needs a display."""
+import os
 import unittest
 
 import numpy as np
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import galaxy_testing as gt
 from view_testing import G0, H, SIZE, ViewTest
@@ -75,6 +77,27 @@ class Together(ViewTest):
         averaged = self.shot(4 * SIZE).reshape(SIZE, 4, SIZE, 4, 3).mean(axis=(1, 3))
         self.assertGreater(small.max(), 0.8)
         self.assertLess(np.abs(averaged - small).max(), 0.03)
+
+    def test_labels_of_a_group(self):
+        path = os.path.join(gt.ROOT, "Examples", "M83Group", "m83group.galaxygroup")
+        group = simple.GalaxyGroup(FileName=path, ParticleScale=0.002)
+        display = self.show(group, Exposure=0)
+        places = gt.array(group, "MemberPosition", "field")
+        particles = gt.array(group, "Component")
+        points = vtk_to_numpy(servermanager.Fetch(group).GetPoints().GetData())
+        np.testing.assert_allclose(gt.array(group, "MemberMagnification", "field"), [1, 5, 5, 5, 5])
+        last = points[particles == particles.max()]  # all of the last member
+        self.assertLess(np.linalg.norm(last.mean(axis=0) - places[-1]), 2.0)
+        self.view.CameraParallelScale = 400
+        self.view.CameraFocalPoint = [*places[-1][:2], 0]
+        self.view.CameraPosition = [*places[-1][:2], 1e4]
+        self.assertEqual(self.shot().max(), 0)
+        display.Labels = 1
+        for size in (SIZE, 2 * SIZE):
+            rows, columns = np.nonzero(self.shot(size).max(axis=2) > 0.5)
+            below = (rows > size // 2) & (rows < 0.65 * size)
+            self.assertGreater(below.sum(), 50)
+            self.assertAlmostEqual(columns[below].mean(), size / 2, delta=0.06 * size)
 
     def test_two_views_with_cameras_of_their_own(self):
         source = self.stars()
