@@ -9,7 +9,7 @@ packages="build-essential cmake ninja-build pkg-config
   libcfitsio-dev zlib1g-dev wcslib-dev liberfa-dev libtomlplusplus-dev librandom123-dev libboost-math-dev
   libhdf5-dev libnanoflann-dev libhwy-dev libopenexr-dev
   xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5
-  qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev"
+  qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools"
 if [ "${1:-}" = "--tests" ]; then
   packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool
     python3-h5py python3-yt splash openexr ffmpeg"

@@ -28,10 +28,14 @@ def made_by_users():
     return [proxy for proxy in proxies() if proxy[0] in ("sources", "filters")]
 
 
+def own_properties(proxy):
+    return [child for child in proxy if child.tag.endswith("Property")]
+
+
 def properties(proxy):
-    """The elements of a proxy's own properties, those of its base beside them."""
-    found = [child for child in proxy if child.tag.endswith("Property")]
+    """The elements of a proxy's properties, those of its bases beside its own."""
+    found = own_properties(proxy)
     base = proxy.get("base_proxyname")
-    if base and proxy.get("base_proxygroup") == "galaxy_reconstruction_internal":
-        found += properties(next(e for _, name, e in proxies() if name == base))
+    if base:
+        found += properties(next(element for _, name, element in proxies() if name == base))
     return found
