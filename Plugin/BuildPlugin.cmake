@@ -38,10 +38,15 @@ paraview_plugin_build(
   LIBRARY_SUBDIRECTORY "${plugins_subdirectory}"
   PLUGINS ${plugins}
   PLUGINS_FILE_NAME "${plugins_file}"
+  PLUGINS_COMPONENT paraview_plugins
   INSTALL_HEADERS OFF)
 
 # ParaView lists the plugins of the files named in paraview.conf beside its executable.
 file(RELATIVE_PATH plugins_from_bin "/prefix/${CMAKE_INSTALL_BINDIR}"
   "/prefix/${CMAKE_INSTALL_LIBDIR}/${plugins_subdirectory}")
 configure_file(Plugin/RegisterPlugin.cmake.in "${CMAKE_BINARY_DIR}/RegisterPlugin.cmake" @ONLY)
-install(SCRIPT "${CMAKE_BINARY_DIR}/RegisterPlugin.cmake")
+install(SCRIPT "${CMAKE_BINARY_DIR}/RegisterPlugin.cmake") # of no component: not in a package
+configure_file(Plugin/RemoveArchives.cmake.in "${CMAKE_BINARY_DIR}/RemoveArchives.cmake" @ONLY)
+install(SCRIPT "${CMAKE_BINARY_DIR}/RemoveArchives.cmake" COMPONENT paraview_plugins)
+
+include(Plugin/Package/Package.cmake)
