@@ -12,7 +12,7 @@ packages="build-essential cmake ninja-build pkg-config
   qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools"
 if [ "${1:-}" = "--tests" ]; then
   packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool
-    python3-h5py python3-yt splash openexr ffmpeg"
+    python3-h5py python3-yt python3-matplotlib splash openexr ffmpeg"
 fi
 
 missing=""

@@ -40,5 +40,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR})")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "python3-paraview, python3-numpy, python3-astropy, python3-pil, fonts-dejavu-core, libqt5svg5")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth, python3-h5py, python3-yt, splash")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth, python3-matplotlib, python3-yt, splash")
 include(CPack)
