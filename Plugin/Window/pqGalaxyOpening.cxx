@@ -5,22 +5,21 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
-#include "pqDataRepresentation.h"
 #include "pqFiltersMenuReaction.h"
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqPVApplicationCore.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
-#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 
 #include "vtkPVDataInformation.h"
-#include "vtkSMPVRepresentationProxy.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSmartPointer.h"
 
 #include <QTimer>
 
@@ -38,16 +37,27 @@ bool hasGalaxy(pqPipelineSource* reader)
   return data->GetNumberOfDataSets() > 0;
 }
 
-/// Keeps the images and rings of a reader out of the picture, and their colours out of the model's.
-void hideIfOf(pqPipelineSource* reader, pqRepresentation* added)
+/// While it lives, Apply does not show what a reader reads: rings and images would be drawn only to
+/// be hidden behind the model, and lend it their colours. ParaView takes the wish from the proxy's
+/// hints, which all readers of the kind share.
+class NotShown : public QObject
 {
-  auto* representation = qobject_cast<pqDataRepresentation*>(added);
-  if (representation && representation->getInput() == reader)
+public:
+  explicit NotShown(pqPipelineSource* reader)
+    : QObject(reader)
+    , Hints(reader->getProxy()->GetHints())
+    , View(vtkSmartPointer<vtkPVXMLElement>::New())
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(representation->getProxy(), nullptr, 0);
-    representation->setVisible(false);
+    this->View->SetName("View");
+    this->View->AddAttribute("type", "None");
+    this->Hints->AddNestedElement(this->View);
   }
-}
+  ~NotShown() override { this->Hints->RemoveNestedElement(this->View); }
+
+private:
+  vtkSmartPointer<vtkPVXMLElement> Hints;
+  vtkSmartPointer<vtkPVXMLElement> View;
+};
 
 void darken(pqRenderView* view)
 {
@@ -97,14 +107,7 @@ void pqGalaxyOpening::onReaderCreated(pqPipelineSource* reader)
 
 void pqGalaxyOpening::watch(pqPipelineSource* reader)
 {
-  // Lives until the reader is shown, and with it what follows from its signals.
-  auto* waiting = new QObject(reader);
-  if (isA(reader, "GalaxyReader"))
-  {
-    QObject::connect(pqApplicationCore::instance()->getServerManagerModel(),
-      &pqServerManagerModel::representationAdded, waiting,
-      [reader](pqRepresentation* added) { hideIfOf(reader, added); });
-  }
+  auto* waiting = isA(reader, "GalaxyReader") ? new NotShown(reader) : new QObject(reader);
   QObject::connect(reader, &pqProxy::modifiedStateChanged, waiting, [=] {
     if (reader->modifiedState() == pqProxy::UNMODIFIED)
     {
