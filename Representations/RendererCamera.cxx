@@ -69,6 +69,12 @@ Camera cameraOf(vtkRenderer* renderer)
   const double sign = camera.parallel ? 1 : -1;
   camera.centerX = 0.5 * width * (1 + sign * P->GetElement(0, column));
   camera.centerY = 0.5 * height * (1 + sign * P->GetElement(1, column));
+  if (!camera.parallel)
+  {
+    // Each of two eyes is moved aside by the projection.
+    camera.eye = camera.eye - (P->GetElement(0, 3) / P->GetElement(0, 0)) * camera.right -
+      (P->GetElement(1, 3) / P->GetElement(1, 1)) * camera.up;
+  }
   return camera;
 }
 

@@ -39,7 +39,7 @@ std::string lengthText(double kpc)
 std::string angleText(double radians)
 {
   const double degree = M_PI / 180;
-  const Unit units[] = { { degree / 3600, "″" }, { degree / 60, "′" }, { degree, "°" } };
+  const Unit units[] = { { degree / 3600, "\"" }, { degree / 60, "'" }, { degree, "°" } };
   return textOf(radians, units);
 }
 

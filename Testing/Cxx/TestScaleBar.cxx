@@ -31,10 +31,10 @@ TEST(ScaleBar, LabelsHaveTheirUnits)
   EXPECT_EQ(lengthText(0.99999), "1 kpc");
   EXPECT_EQ(lengthText(0.0004), "0.4 pc");
   EXPECT_EQ(angleText(M_PI / 180), "1°");
-  EXPECT_EQ(angleText(M_PI / 180 / 60 * 12.34), "12.3′");
-  EXPECT_EQ(angleText(M_PI / 180 / 3600 * 30), "30″");
+  EXPECT_EQ(angleText(M_PI / 180 / 60 * 12.34), "12.3'");
+  EXPECT_EQ(angleText(M_PI / 180 / 3600 * 30), "30\"");
   // 5 kpc at 4.5 Mpc.
-  EXPECT_EQ(scaleBar(7, 4500).label, "5 kpc = 3.82′");
+  EXPECT_EQ(scaleBar(7, 4500).label, "5 kpc = 3.82'");
   EXPECT_EQ(scaleBar(7, 0).label, "5 kpc");
 }
 

@@ -1,9 +1,11 @@
 """The representation Splats in a render view, beside other things. Needs a display."""
+import os
 import re
 import unittest
 
 import numpy as np
 from paraview import simple
+from PIL import Image
 
 import galaxy_testing as gt
 from view_testing import G0, H, SIZE, ViewTest
@@ -58,6 +60,35 @@ class View(ViewTest):
         for fxaa, samples in ((0, 0), (1, 0), (0, 8)):
             self.view.UseFXAA, self.view.MultiSamples = fxaa, samples
             self.assertLess(np.abs(self.shot() - plain).max(), 0.02)
+
+    def test_stereo_is_that_of_geometry(self):
+        """A particle and a ball in the same place, by each eye seen in the same place."""
+        self.view.CameraParallelProjection = 0
+        places = {}
+        for z in (-6, 2):
+            source = gt.particles([[0, 0, z]], [0.3], Emission=np.ones((1, 3), dtype=np.float32))
+            ball = simple.Sphere(Center=[0, 0, z], Radius=0.1, ThetaResolution=32,
+                                 PhiResolution=32)
+            for thing in (source, ball):
+                display = simple.Show(thing, self.view)
+                if thing is source:
+                    display.Representation, display.Exposure = "Splats", 10
+                else:
+                    display.Ambient, display.Diffuse = 1.0, 0.0
+                self.keep_camera()
+                simple.SetActiveView(self.view)
+                path = os.path.join(gt.output_folder(), f"stereo-{os.getpid()}.png")
+                for _ in range(2):  # VTK's first picture in stereo has one eye in the middle
+                    simple.SaveScreenshot(path, self.view, ImageResolution=[SIZE, SIZE],
+                                          StereoMode="Red-Blue")
+                with Image.open(path) as image:
+                    picture = np.asarray(image.convert("RGB"), dtype=float)
+                places[thing is source] = [
+                    (picture[..., c].sum(axis=0) * np.arange(SIZE)).sum() / picture[..., c].sum()
+                    for c in (0, 2)]
+                simple.Hide(thing, self.view)
+            np.testing.assert_allclose(places[True], places[False], atol=0.4)
+            self.assertGreater(abs(places[False][0] - places[False][1]), 2)
 
     def test_beside_translucent_geometry_and_lines(self):
         for peeling in (1, 0):
