@@ -2,6 +2,7 @@
 
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
+#include "Filters/Splatting/Panorama.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Tiles.h"
 #include "Readers/ReportErrors.h"
@@ -104,9 +105,6 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   {
     vtkWarningMacro(<< "the particles have no component named " << unknown);
   }
-  const galaxy::Camera camera = galaxy::Camera::lookAt(vector(this->CameraPosition),
-    vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
-    this->CameraParallelScale, this->CameraViewAngle, this->ImageSize[0], this->ImageSize[1]);
   galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
   const double half = this->Settings->GetTolerance() / 2;
   options.allowed = { this->White > 0 ? half * this->White : 0, half };
@@ -115,7 +113,7 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
     this->UpdateProgress(fraction);
     return !this->GetAbortExecute();
   };
-  const galaxy::RenderedImage image = galaxy::render(input.view, camera, options);
+  const galaxy::RenderedImage image = this->Render(input.view, options);
   if (image.aborted)
   {
     return;
@@ -135,9 +133,32 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   this->RenderStatistics = galaxy::describe(image.statistics);
 }
 
+galaxy::RenderedImage vtkSplatImage::Render(
+  const galaxy::ParticleView& view, const galaxy::RenderOptions& options)
+{
+  const galaxy::Camera camera = galaxy::Camera::lookAt(vector(this->CameraPosition),
+    vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
+    this->CameraParallelScale, this->CameraViewAngle, this->ImageSize[0], this->ImageSize[1]);
+  if (this->Projection == CAMERA)
+  {
+    return galaxy::render(view, camera, options);
+  }
+  galaxy::Panorama panorama;
+  panorama.kind = this->Projection == DOME ? galaxy::Panorama::Kind::Dome
+                                           : galaxy::Panorama::Kind::Equirectangular;
+  panorama.ahead = camera;
+  panorama.domeAngle = this->DomeAngle;
+  panorama.width = this->ImageSize[0];
+  panorama.height = this->ImageSize[1];
+  return galaxy::renderPanorama(view, panorama, options);
+}
+
 galaxy::PictureCamera vtkSplatImage::PictureCamera() const
 {
+  const char* const names[] = { "Camera", "Equirectangular", "Dome" };
   galaxy::PictureCamera camera;
+  camera.projection = names[this->Projection];
+  camera.domeAngle = this->DomeAngle;
   camera.position = vector(this->CameraPosition);
   camera.focalPoint = vector(this->CameraFocalPoint);
   camera.viewUp = vector(this->CameraViewUp);
@@ -154,6 +175,8 @@ void vtkSplatImage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CameraParallelProjection: " << this->CameraParallelProjection << "\n";
   os << indent << "CameraParallelScale: " << this->CameraParallelScale << "\n";
   os << indent << "CameraViewAngle: " << this->CameraViewAngle << "\n";
+  os << indent << "Projection: " << this->Projection << "\n";
+  os << indent << "DomeAngle: " << this->DomeAngle << "\n";
   os << indent << "White: " << this->White << "\n";
   os << indent << "ActiveEffects: " << this->ActiveEffects << "\n";
   os << indent << "RenderStatistics: " << this->RenderStatistics << "\n";

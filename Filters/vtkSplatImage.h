@@ -27,7 +27,10 @@
 
 namespace galaxy
 {
+struct ParticleView;
 struct PictureCamera;
+struct RenderedImage;
+struct RenderOptions;
 }
 class vtkImageData;
 class vtkPolyData;
@@ -66,6 +69,22 @@ public:
   vtkSetMacro(CameraViewAngle, double);
   vtkGetMacro(CameraViewAngle, double);
   ///@}
+  enum Projections
+  {
+    CAMERA = 0,          ///< parallel or perspective, as the properties of the camera say
+    EQUIRECTANGULAR = 1, ///< all the sky around CameraPosition, 360 x 180 degrees
+    DOME = 2,            ///< fisheye about the line of sight, the angle growing with the radius
+  };
+  ///@{
+  /// Default CAMERA. Of a panorama CameraFocalPoint is in the middle, CameraViewUp is up.
+  vtkSetClampMacro(Projection, int, CAMERA, DOME);
+  vtkGetMacro(Projection, int);
+  ///@}
+  ///@{
+  /// Degrees across a dome's circle, from 1 to 360. Default 180.
+  vtkSetClampMacro(DomeAngle, double, 1.0, 360.0);
+  vtkGetMacro(DomeAngle, double);
+  ///@}
   ///@{
   /// The radiance that will be shown as white, luminosity per kpc^2: Tolerance is a share of it.
   /// Default 0: not known; a pixel may then be off by Tolerance times its own light.
@@ -102,6 +121,8 @@ private:
   void operator=(const vtkSplatImage&) = delete;
 
   void Draw(vtkPolyData* particles, vtkImageData* output);
+  galaxy::RenderedImage Render(
+    const galaxy::ParticleView& view, const galaxy::RenderOptions& options);
   galaxy::PictureCamera PictureCamera() const;
 
   int ImageSize[2] = { 1024, 1024 };
@@ -111,6 +132,8 @@ private:
   bool CameraParallelProjection = false;
   double CameraParallelScale = 1;
   double CameraViewAngle = 30;
+  int Projection = CAMERA;
+  double DomeAngle = 180;
   double White = 0;
   vtkSmartPointer<vtkSplatSettings> Settings;
   std::string ActiveEffects;
