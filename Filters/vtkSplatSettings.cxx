@@ -1,6 +1,6 @@
 #include "vtkSplatSettings.h"
 
-#include "Filters/Model/Particles.h"
+#include "Filters/Model/Looks.h"
 
 #include "vtkObjectFactory.h"
 
@@ -111,6 +111,7 @@ void vtkSplatSettings::Apply(
     return found == factors.end() ? 1.0 : found->second;
   };
   visible.assign(components.size(), true);
+  galaxy::applyLook(static_cast<galaxy::Look>(this->Look), components, visible);
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     galaxy::ComponentInfo& component = components[i];
@@ -122,7 +123,11 @@ void vtkSplatSettings::Apply(
       component.isRecolored = true;
       component.color = color->second;
     }
-    visible[i] = factor(this->Visibilities, component.name) != 0;
+    const auto shown = this->Visibilities.find(component.name);
+    if (shown != this->Visibilities.end())
+    {
+      visible[i] = shown->second != 0;
+    }
   }
 }
 
@@ -134,5 +139,6 @@ void vtkSplatSettings::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Accuracy: " << levels[this->Accuracy] << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "PreviewTime: " << this->PreviewTime << "\n";
+  os << indent << "Look: " << this->Look << "\n";
   os << indent << "Slices: " << this->Slices << "\n";
 }

@@ -71,6 +71,23 @@ public:
   vtkGetMacro(Slices, double);
   ///@}
 
+  enum Looks
+  {
+    AS_DESCRIBED = 0,
+    OPTICAL = 1,
+    H_ALPHA = 2,
+    ATOMIC_GAS = 3,
+    ULTRAVIOLET = 4,
+    DUST_ONLY = 5,
+    FALSE_COLOR = 6,
+  };
+  ///@{
+  /// Which components are shown and in which colours (Filters/Model/Looks.h): AsDescribed (default)
+  /// shows all as they are. What is said of single components comes on top of it.
+  vtkSetClampMacro(Look, int, AS_DESCRIBED, FALSE_COLOR);
+  vtkGetMacro(Look, int);
+  ///@}
+
   ///@{
   /// A factor on the smoothing length of one component (default 1).
   void SetComponentSize(const char* component, double factor);
@@ -117,6 +134,7 @@ private:
   double Tolerance = 1.0 / 512;
   double PreviewTime = 0.1;
   double Slices = 4;
+  int Look = AS_DESCRIBED;
   FactorMap Sizes;
   FactorMap Brightnesses;
   FactorMap Visibilities;
@@ -146,6 +164,10 @@ private:
   void SetSlices(double slices)                                                                    \
   {                                                                                                \
     this->Settings->SetSlices(slices);                                                             \
+  }                                                                                                \
+  void SetLook(int look)                                                                           \
+  {                                                                                                \
+    this->Settings->SetLook(look);                                                                 \
   }                                                                                                \
   void SetComponentSize(const char* component, double factor)                                      \
   {                                                                                                \

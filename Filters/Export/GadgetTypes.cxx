@@ -1,53 +1,30 @@
 #include "Filters/Export/GadgetTypes.h"
 
+#include "Filters/Model/ComponentKind.h"
+
 #include <algorithm>
-#include <cctype>
-#include <string>
 
 namespace galaxy
 {
-namespace
-{
-std::vector<std::string> wordsOf(const std::string& text)
-{
-  std::vector<std::string> words(1);
-  for (const unsigned char letter : text)
-  {
-    if (std::isalnum(letter))
-    {
-      words.back() += static_cast<char>(std::tolower(letter));
-    }
-    else if (!words.back().empty())
-    {
-      words.emplace_back();
-    }
-  }
-  return words;
-}
-} // namespace
-
 GadgetType gadgetTypeOf(const ComponentInfo& component)
 {
-  if (component.absorbs)
+  switch (kindOf(component))
   {
-    return GadgetType::Boundary;
+    case ComponentKind::Dust:
+      return GadgetType::Boundary;
+    case ComponentKind::AtomicGas:
+    case ComponentKind::IonizedGas:
+    case ComponentKind::MolecularGas:
+      return GadgetType::Gas;
+    case ComponentKind::Halo:
+      return GadgetType::Halo;
+    case ComponentKind::Bulge:
+      return GadgetType::Bulge;
+    case ComponentKind::YoungStars:
+      return GadgetType::Stars;
+    default:
+      return GadgetType::Disk;
   }
-  static const std::vector<std::pair<GadgetType, std::vector<std::string>>> kinds = {
-    { GadgetType::Gas, { "gas", "ism", "hi", "hii", "h", "h2", "co", "hydrogen", "halpha" } },
-    { GadgetType::Halo, { "halo", "dark" } },
-    { GadgetType::Bulge, { "bulge", "spheroid", "elliptical" } },
-    { GadgetType::Stars, { "young", "newborn" } },
-  };
-  const std::vector<std::string> words = wordsOf(component.name);
-  for (const auto& [type, keywords] : kinds)
-  {
-    if (std::find_first_of(words.begin(), words.end(), keywords.begin(), keywords.end()) !=
-      words.end())
-    {
-      return type;
-    }
-  }
-  return GadgetType::Disk;
 }
 
 TypeOrder::TypeOrder(const ParticleTable& table)

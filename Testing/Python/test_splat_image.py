@@ -104,6 +104,26 @@ class SplatImage(unittest.TestCase):
         other, _ = gt.splat(reader, SIZE, **SIGNATURE, ComponentBrightness=["nobody", "3"])
         np.testing.assert_array_equal(other, plain)
 
+    def test_looks_show_what_they_are_named_for(self):
+        """Dust alone shines with its optical depth; atomic gas alone is blue."""
+        reader = gt.simple.GalaxyReader(FileName=gt.M83)
+        model = gt.simple.GalaxyModel(Input=reader, ParticleScale=0.01)
+        earth = dict(CameraPosition=[0, 0, 100], CameraParallelProjection=1,
+                     CameraParallelScale=8)
+        only_dust = [text for name in ("stars", "young stars", "gas", "bulge")
+                     for text in (name, "0")]
+        _, transmittance = gt.splat(model, SIZE, **earth, ComponentVisibility=only_dust)
+        dust, none = gt.splat(model, SIZE, **earth, Look="Dust Only",
+                              ComponentColor=["dust", "1", "1", "1"])
+        np.testing.assert_array_equal(none, 1)
+        _, grey = gt.splat(model, SIZE, **earth, ComponentVisibility=only_dust,
+                           ComponentColor=["dust", "1", "1", "1"])
+        np.testing.assert_allclose(dust[..., 0], -np.log(grey[..., 0]), rtol=1e-3, atol=1e-5)
+        self.assertLess(transmittance.min(), 0.99)
+        gas, none = gt.splat(model, SIZE, **earth, Look="H I")
+        np.testing.assert_array_equal(none, 1)
+        np.testing.assert_allclose(gas[..., 0], 0.35 * gas[..., 2], rtol=1e-4)
+
     def test_perspective_sees_the_same_surface_brightness(self):
         source = gt.particles([[0, 0, 0]], [H], Emission=GREY)
         for distance in (20.0, 80.0):
