@@ -8,6 +8,28 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+namespace
+{
+/// As narrow as a panel needs, and without trailing zeros.
+class FactorBox : public QDoubleSpinBox
+{
+public:
+  explicit FactorBox(QWidget* parent)
+    : QDoubleSpinBox(parent)
+  {
+    this->setRange(0, 1000);
+    this->setDecimals(4);
+    this->setSingleStep(0.1);
+    this->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    this->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    this->setKeyboardTracking(false);
+    this->setFixedWidth(this->fontMetrics().horizontalAdvance("0.000") + 10);
+  }
+
+  QString textFromValue(double value) const override { return QString::number(value, 'g', 5); }
+};
+}
+
 ComponentRow::ComponentRow(const QString& name, QGridLayout* grid, int row, QWidget* parent)
   : QObject(parent)
   , Name(name)
@@ -39,14 +61,9 @@ ComponentRow::~ComponentRow()
 
 QDoubleSpinBox* ComponentRow::makeFactor(const char* what, const char* tip, QWidget* parent)
 {
-  auto* box = new QDoubleSpinBox(parent);
+  auto* box = new FactorBox(parent);
   box->setObjectName(QString("%1 %2").arg(what, this->Name));
   box->setToolTip(tip);
-  box->setRange(0, 1000);
-  box->setDecimals(3);
-  box->setSingleStep(0.1);
-  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  box->setKeyboardTracking(false);
   QObject::connect(
     box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ComponentRow::changed);
   return box;
@@ -54,7 +71,7 @@ QDoubleSpinBox* ComponentRow::makeFactor(const char* what, const char* tip, QWid
 
 void ComponentRow::makeColor(QWidget* parent)
 {
-  this->Color->setParent(parent);
+  this->Color->setAutoRaise(true);
   this->Color->setObjectName("Color " + this->Name);
   this->Color->setToolTip("Colour of its light, in place of the particles' own; of dust, how much "
                           "of red, green and blue it takes");
@@ -95,6 +112,7 @@ void ComponentRow::showColor()
   const QSignalBlocker blocked(this->Color);
   const bool own = this->Chosen.size() != 3;
   this->Color->setChosenColorRgbF(own ? QVariantList{ 1.0, 1.0, 1.0 } : this->Chosen);
-  this->Color->setText(own ? "own" : "");
-  this->OwnColor->setEnabled(!own);
+  this->Color->setText("own");
+  this->Color->setToolButtonStyle(own ? Qt::ToolButtonTextOnly : Qt::ToolButtonIconOnly);
+  this->OwnColor->setVisible(!own);
 }

@@ -20,7 +20,7 @@ pqComponentTableWidget::pqComponentTableWidget(
   this->Grid->setHorizontalSpacing(4);
   this->Grid->setVerticalSpacing(2);
   this->Grid->setColumnStretch(0, 1);
-  const QStringList titles = { "Component", "Size", "Brightness", "Colour" };
+  const QStringList titles = { "Component", "Size", "Light", "Colour" };
   for (int column = 0; column < titles.size(); ++column)
   {
     this->Grid->addWidget(new QLabel(titles[column], this), 0, column);
