@@ -19,15 +19,18 @@ bool hasImages(const QDir& folder)
   return folder.exists("M83/m83.galaxy") && folder.exists("M83/images/m83_r.fits");
 }
 
-/// The folder Examples in `folder` or the nearest folder above it that has one; null if none has.
+/// The examples' folder in `folder` or the nearest folder above it that has one; null if none has.
 QDir examplesAbove(QDir folder)
 {
   do
   {
-    const QDir inside(folder.filePath("Examples"));
-    if (hasImages(inside))
+    for (const char* name : { "Examples", "share/galaxyreconstruction/Examples" })
     {
-      return inside;
+      const QDir inside(folder.filePath(name));
+      if (hasImages(inside))
+      {
+        return inside;
+      }
     }
   } while (folder.cdUp());
   return QDir(QString());

@@ -12,8 +12,8 @@ struct Example
   QString file;
 };
 
-/// The examples that are there, with their images: in a folder Examples beside the plugin, or above
-/// it, where it lies in its build folder in the source tree.
+/// The examples that are there with their images: in a folder Examples beside the plugin or above
+/// it (in the source tree, whose build folder holds the plugin), or where the package puts them.
 QList<Example> findExamples();
 }
 
