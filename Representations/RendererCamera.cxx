@@ -1,10 +1,11 @@
 #include "RendererCamera.h"
 
+#include "OpenGLFunctions.h"
+
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

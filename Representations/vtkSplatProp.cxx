@@ -1,6 +1,7 @@
 #include "vtkSplatProp.h"
 
 #include "Filters/ParticleData.h"
+#include "OpenGLFunctions.h"
 #include "Readers/ReportErrors.h"
 #include "RendererCamera.h"
 #include "SplatPicture.h"
@@ -17,7 +18,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <stdexcept>

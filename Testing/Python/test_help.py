@@ -15,20 +15,22 @@ HELP = os.environ.get("GALAXY_HELP")  # the build's help pages; empty where it h
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
            "StringVectorProperty": "SimpleStringInformationHelper"}
-# Where a proxy's settings are members of another class than its own.
-GETTERS = {"SplatSettings": "vtkSplatSettings", "Splats": "vtkSplatProp"}
+# Where a proxy's settings are members of other classes than its own.
+GETTERS = {"SplatSettings": ["vtkSplatSettings"], "Splats": ["vtkSplatProp", "vtkSkyAnnotation"]}
+WITHOUT = ["Splats.AnnotationColor"]  # which is the Color of two classes
+UNREAD = -7777
 
 
 def with_getters():
-    """(proxy, class, properties) as they are set by commands SetX of a class that has GetX."""
+    """(proxy, classes, properties) as they are set by commands SetX of a class that has GetX."""
     for _, name, proxy in plugin_xml.proxies():
-        class_name = GETTERS.get(name) or proxy.get("class")
+        classes = GETTERS.get(name) or [proxy.get("class")]
         found = [
             p for p in plugin_xml.own_properties(proxy)
             if p.tag in HELPERS and p.get("command").startswith("Set") and not p.get("repeat_command")
         ]
         if found and name != "SplatsRepresentation":
-            yield name, class_name, found
+            yield name, classes, found
 
 
 def fresh(name, class_name, properties):
@@ -39,7 +41,7 @@ def fresh(name, class_name, properties):
         lines.append(  # the default stays where there is nothing to read
             f'<{prop.tag} name="{prop.get("name")}" command="G{prop.get("command")[1:]}"'
             f' information_only="1" number_of_elements="{size}"'
-            f' default_values="{" ".join(["-7777"] * size)}">'
+            f' default_values="{" ".join([str(UNREAD)] * size)}">'
             f"<{HELPERS[prop.tag]} /></{prop.tag}>"
         )
     text = (
@@ -55,24 +57,35 @@ def fresh(name, class_name, properties):
     return proxy
 
 
-def values_of(prop):
-    return [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
+def values_of(proxies, prop):
+    """What the first class that has it says of a property; None if none has."""
+    for proxy in proxies:
+        found = proxy.GetProperty(prop.get("name"))
+        values = [found.GetElement(i) for i in range(found.GetNumberOfElements())]
+        if prop.tag == "StringVectorProperty":
+            values = [value or "" for value in values]
+        if values and str(values[0]) not in (str(UNREAD), str(float(UNREAD))):
+            return values
+    return None
 
 
 class Defaults(unittest.TestCase):
     def test_are_those_of_the_classes(self):
-        count = 0
-        for name, class_name, properties in with_getters():
-            proxy = fresh(name, class_name, properties)
+        count, without = 0, []
+        for name, classes, properties in with_getters():
+            with gt.Messages():  # of getters that a class has not
+                proxies = [fresh(name, class_name, properties) for class_name in classes]
             for prop in properties:
-                given = prop.get("default_values") or ""
+                what, given = f"{name}.{prop.get('name')}", prop.get("default_values") or ""
                 is_text = prop.tag == "StringVectorProperty"
-                expected = [given] if is_text else [float(v) for v in given.split()]
-                values = values_of(proxy.GetProperty(prop.get("name")))
-                values = [v or "" for v in values] if is_text else values
-                self.assertEqual(values, expected, f"{name}.{prop.get('name')}")
+                values = values_of(proxies, prop)
+                if values is None:
+                    without.append(what)
+                    continue
+                self.assertEqual(values, [given] if is_text else [float(v) for v in given.split()], what)
                 count += 1
         self.assertGreater(count, 100)
+        self.assertEqual(without, WITHOUT)
 
 
 class Sentences(unittest.TestCase):
@@ -101,7 +114,7 @@ class Sentences(unittest.TestCase):
             for prop in plugin_xml.own_properties(proxy):
                 what = f"{name}.{prop.get('name')}"
                 if prop.get("information_only"):
-                    self.assertEqual(prop.get("panel_visibility"), "advanced", what)
+                    self.assertIn(prop.get("panel_visibility"), ("advanced", "never"), what)
                 elif prop.tag in ("IntVectorProperty", "DoubleVectorProperty"):
                     domains = [child for child in prop if child.tag.endswith("Domain")]
                     self.assertTrue(domains, what)

@@ -26,6 +26,7 @@ class Scene:
         self.display.ComponentVisibility = ["gas", "0", "no such", "0"]
         self.display.ComponentSize = ["stars", "1.5"]
         self.display.ComponentBrightness = ["young stars", "2", "dust", "0.5"]
+        self.display.ComponentColor = ["young stars", "1", "0.3", "0.9"]
         self.spheroid = simple.Spheroid(registrationName="bulge", Profile="Sersic", SersicIndex=3)
         self.spheroid.NumberOfParticles, self.spheroid.Center = 5000, [3, 2, 1]
         self.spheroid.Color = [1, 0.5, 0.2]
@@ -71,6 +72,7 @@ class State(unittest.TestCase):
         for name, value, kept in (
             ("ComponentVisibility", [], ["gas", "0"]), ("ComponentSize", [], ["stars", "1.5"]),
             ("ComponentBrightness", [], ["young stars", "2", "dust", "0.5"]),
+            ("ComponentColor", [], ["young stars", "1", "0.3", "0.9"]),
             ("Gamma", 1, 1.2), ("Kernel", "Gaussian", "CubicSpline"),
         ):
             self.scene.display.SetPropertyWithName(name, value)
@@ -84,7 +86,8 @@ def another(prop):
     """A value of a property that is not its default and that its domains allow."""
     is_text = prop.IsA("vtkSMStringVectorProperty")
     if prop.GetRepeatCommand():
-        return [ODD_NAME, "0.25"] if is_text else [0.5, -1e30]
+        numbers = ["0.25"] * (prop.GetNumberOfElementsPerCommand() - 1)
+        return [ODD_NAME] + numbers if is_text else [0.5, -1e30]
     if is_text:
         return [ODD_NAME]
     values = elements(prop)
