@@ -67,9 +67,6 @@ class Movies(unittest.TestCase):
         after = self.written()
         self.assertEqual((before[0], before[2]), (after[0], after[2]))
         self.assertGreater(after[1], before[1])
-        text = self.run_script("movie_orbit.py", "--size", "32x24")
-        self.assertIn(f"{FRAMES} frames are drawn anew", text)
-        self.check_frames((32, 24))
 
     def test_a_flight_through(self):
         self.run_script("movie_flythrough.py")
