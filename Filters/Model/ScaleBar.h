@@ -16,7 +16,8 @@ struct ScaleBar
 /// greater than 0, its label also says how large it is on the sky.
 ScaleBar scaleBar(double most, double distance);
 
-/// With three digits at most, and the unit that needs the fewest: pc, kpc or Mpc; \", ' or ° (the signs that all fonts have).
+/// With three digits at most, and the unit that needs the fewest: pc, kpc or Mpc; ", ' or °, which
+/// all fonts have.
 std::string lengthText(double kpc);
 std::string angleText(double radians);
 } // namespace galaxy

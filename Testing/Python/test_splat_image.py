@@ -109,7 +109,7 @@ class SplatImage(unittest.TestCase):
         reader = gt.simple.GalaxyReader(FileName=gt.M83)
         model = gt.simple.GalaxyModel(Input=reader, ParticleScale=0.01)
         earth = dict(CameraPosition=[0, 0, 100], CameraParallelProjection=1,
-                     CameraParallelScale=8)
+                     CameraParallelScale=8, Accuracy="Sorted")
         only_dust = [text for name in ("stars", "young stars", "gas", "bulge")
                      for text in (name, "0")]
         _, transmittance = gt.splat(model, SIZE, **earth, ComponentVisibility=only_dust)
