@@ -42,7 +42,7 @@ ComponentRow::ComponentRow(const QString& name, QGridLayout* grid, int row, QWid
   this->Visible->setObjectName("Visible " + name); // as tests address it
   this->Visible->setToolTip("Whether it is drawn");
   QObject::connect(this->Visible, &QCheckBox::toggled, this, &ComponentRow::changed);
-  this->makeColor(parent);
+  this->makeColor();
   grid->addWidget(this->Visible, row, 0);
   grid->addWidget(this->Size, row, 1);
   grid->addWidget(this->Brightness, row, 2);
@@ -69,7 +69,7 @@ QDoubleSpinBox* ComponentRow::makeFactor(const char* what, const char* tip, QWid
   return box;
 }
 
-void ComponentRow::makeColor(QWidget* parent)
+void ComponentRow::makeColor()
 {
   this->Color->setAutoRaise(true);
   this->Color->setObjectName("Color " + this->Name);

@@ -41,7 +41,7 @@ Q_SIGNALS:
 
 private:
   QDoubleSpinBox* makeFactor(const char* what, const char* tip, QWidget* parent);
-  void makeColor(QWidget* parent);
+  void makeColor();
   void showColor();
 
   QString Name;

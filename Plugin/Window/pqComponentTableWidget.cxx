@@ -19,7 +19,8 @@ pqComponentTableWidget::pqComponentTableWidget(
   this->Grid->setContentsMargins(0, 0, 0, 0);
   this->Grid->setHorizontalSpacing(4);
   this->Grid->setVerticalSpacing(2);
-  this->Grid->setColumnStretch(0, 1);
+  this->Grid->setColumnStretch(
+    5, 1); // nothing there: panels can be wider than what is seen of them
   const QStringList titles = { "Component", "Size", "Light", "Colour" };
   for (int column = 0; column < titles.size(); ++column)
   {
