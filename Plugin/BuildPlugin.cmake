@@ -7,9 +7,10 @@ if (GALAXY_BUILD_WINDOW)
   if (Qt5_FOUND)
     list(APPEND components pqApplicationComponents)
   else ()
-    message(STATUS "No development files of Qt 5 (Widgets, Network, OpenGL, Svg, Help): the plugin is built "
-      "without its menu, toolbar and table of components. On Debian they are in "
-      "qtbase5-dev, libqt5opengl5-dev, libqt5svg5-dev and qttools5-dev; GALAXY_BUILD_WINDOW=OFF leaves them out unasked.")
+    message(STATUS "No development files of Qt 5 (Widgets, Network, OpenGL, Svg, Help): the plugin is "
+      "built without its menu, toolbar and table of components. On Debian they are in qtbase5-dev, "
+      "libqt5opengl5-dev, libqt5svg5-dev and qttools5-dev; GALAXY_BUILD_WINDOW=OFF leaves the window's "
+      "part out unasked.")
   endif ()
 endif ()
 find_package(ParaView 5.11 REQUIRED COMPONENTS ${components})
