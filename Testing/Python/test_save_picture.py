@@ -205,6 +205,15 @@ class SavePicture(unittest.TestCase):
         with self.saved(again, "again.fits") as file:  # also where it was seen from
             self.assertEqual(file["RADIANCE"].header["CTYPE1"], "RA---TAN")
 
+    def test_the_windows_save_data_offers_it_for_pictures_alone(self):
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+        star = one_particle([0, 0, 0])
+        picture = picture_of(star, **AFAR)
+        for source, offered in ((picture, True), (star, False)):
+            source.UpdatePipeline()
+            types = factory.GetSupportedFileTypes(source.SMProxy, 0)
+            self.assertEqual("*.fits" in types and "*.exr" in types, offered, types)
+
     def refused(self, picture, name, cause, **properties):
         before = sorted(os.listdir(self.folder))
         with gt.Messages() as messages:
