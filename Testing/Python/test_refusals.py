@@ -157,6 +157,10 @@ class Refusals(unittest.TestCase):
                 models("Density", "Neighbours", "Constant", "Brightness")),
             "SplatImage": (
                 lambda: simple.SplatImage(Input=model, ImageSize=[16, 16]), [{}]),
+            "SplatImageWriter": (
+                lambda: simple.SplatImageWriter(
+                    Input=simple.SplatImage(Input=model, ImageSize=[16, 16]),
+                    FileName=self.path("light.fits")), [{}]),
             "ParticleWriter": (
                 lambda: simple.ParticleWriter(Input=model, FileName=self.path("model.gad")), [{}]),
         }
