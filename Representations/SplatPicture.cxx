@@ -35,18 +35,21 @@ std::vector<double> versionsOf(const std::vector<SplatPart>& parts)
   return versions;
 }
 
-/// So much brighter may a picture be exposed before it has to be made anew.
-constexpr double headroom = 16;
-
-ErrorBound errorOf(const std::vector<SplatPart>& parts, ToneMap toneMap, double brighter)
+ErrorBound unseenError(const std::vector<SplatPart>& parts, const ToneMap& toneMap)
 {
   double tolerance = parts.front().settings->GetTolerance();
   for (const SplatPart& part : parts)
   {
     tolerance = std::min(tolerance, part.settings->GetTolerance());
   }
-  toneMap.exposure *= brighter;
   return allowedError(toneMap, tolerance);
+}
+
+/// So exact that a picture need not be made anew where it is exposed up to 16 times brighter, or
+/// stretched with a gamma of down to 1/4.
+ErrorBound withHeadroom(const ErrorBound& unseen)
+{
+  return { unseen.light / 16, unseen.share / 4 };
 }
 
 /// How much brighter than the first part one is exposed.
@@ -82,7 +85,8 @@ RenderOptions SplatPicture::optionsOf(const std::vector<SplatPart>& parts) const
 void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest request)
 {
   RenderOptions options = this->optionsOf(parts);
-  options.allowed = errorOf(parts, request.toneMap, headroom);
+  const ErrorBound unseen = unseenError(parts, request.toneMap);
+  options.allowed = withHeadroom(unseen);
   options.memory = &this->memory;
   options.progress = std::move(request.progress);
   State next;
@@ -98,7 +102,7 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   }
   next.opaqueDepth = std::move(request.opaqueDepth);
   next.accuracy = options.accuracy;
-  next.needed = errorOf(parts, request.toneMap, 1);
+  next.needed = unseen;
   next.allowed = options.allowed;
   next.parts = versionsOf(parts);
   for (std::size_t k = 0; k < parts.size(); ++k)
