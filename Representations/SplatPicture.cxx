@@ -88,7 +88,6 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   const ErrorBound unseen = unseenError(parts, request.toneMap);
   options.allowed = withHeadroom(unseen);
   options.memory = &this->memory;
-  options.progress = std::move(request.progress);
   State next;
   next.camera = request.camera;
   next.seconds = this->nextSeconds(request, options.previewTime);
@@ -126,10 +125,6 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   {
     next.image = render(particles, next.camera, options);
     this->fullSeconds = vtkTimerLog::GetUniversalTime() - start;
-  }
-  if (next.image.aborted)
-  {
-    next.parts.clear(); // of no use later
   }
   this->last = std::move(next);
 }

@@ -10,7 +10,6 @@
 #include "vtkType.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -38,7 +37,6 @@ struct SplatRequest
   ToneMap toneMap;                ///< that of the first part
   bool isMoving = false;          ///< a preview of what would take longer than PreviewTime will do
   bool isRefined = false;         ///< refine() will be called when the view rests
-  std::function<bool(double)> progress; ///< see RenderOptions
 };
 
 /// The picture of all particles in a view, in one depth order, kept until something changes that it
