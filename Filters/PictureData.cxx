@@ -3,11 +3,9 @@
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/GalaxyDescription.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
@@ -19,11 +17,7 @@ namespace
 {
 void setNumbers(vtkDataObject* object, const char* name, std::initializer_list<double> values)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->InsertNextTuple(values.begin());
-  object->GetFieldData()->AddArray(array);
+  setFieldNumbers(object->GetFieldData(), name, values);
 }
 
 void setVector(vtkDataObject* object, const char* name, const Vec3& v)

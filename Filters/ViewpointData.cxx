@@ -1,34 +1,25 @@
 #include "ViewpointData.h"
 
+#include "Readers/DataObjects.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 
-#include <initializer_list>
-
 namespace galaxy
 {
 namespace
 {
-void addTuple(vtkFieldData* fields, const char* name, std::initializer_list<double> values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->InsertNextTuple(values.begin());
-  fields->AddArray(array);
-}
-
 void addViewpoint(vtkFieldData* fields, const char* name, const Viewpoint& view)
 {
   const Vec3 &p = view.position, &f = view.focalPoint, &u = view.viewUp;
-  addTuple(fields, name, { p.x, p.y, p.z, f.x, f.y, f.z, u.x, u.y, u.z, view.viewAngle });
+  setFieldNumbers(fields, name, { p.x, p.y, p.z, f.x, f.y, f.z, u.x, u.y, u.z, view.viewAngle });
 }
 
 void addDirection(vtkFieldData* fields, const char* name, const Vec3& v)
 {
-  addTuple(fields, name, { v.x, v.y, v.z });
+  setFieldNumbers(fields, name, { v.x, v.y, v.z });
 }
 }
 
@@ -56,7 +47,7 @@ void toFieldData(const Outlook& outlook, vtkFieldData* fields)
 void toFieldData(double distance, double halfSize, vtkFieldData* fields)
 {
   addViewpoint(fields, "CameraEarth", earthView(distance, halfSize));
-  addTuple(fields, "Distance", { distance });
-  addTuple(fields, "FieldHalfSize", { halfSize });
+  setFieldNumbers(fields, "Distance", { distance });
+  setFieldNumbers(fields, "FieldHalfSize", { halfSize });
 }
 }

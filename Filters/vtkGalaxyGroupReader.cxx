@@ -33,16 +33,17 @@ int vtkGalaxyGroupReader::RequestData(
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();
     };
+    const std::vector<galaxy::GroupPlace> places = galaxy::placesOf(group);
     galaxy::Particles particles = galaxy::buildGroup(group, options);
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     if (particles.size() > 0)
     {
-      const double distance = galaxy::distanceOf(group);
+      const double distance = places.front().distance;
       galaxy::toFieldData(
         distance, galaxy::halfSizeOf(particles, distance), output->GetFieldData());
     }
     galaxy::toPolyData(std::move(particles), output);
-    galaxy::toFieldData(galaxy::placesOf(group), group.separation, output->GetFieldData());
+    galaxy::toFieldData(places, group.separation, output->GetFieldData());
     // The frame is the first member's; with other distances between them the sky is not theirs.
     if (group.separation == 1 && !group.members.empty())
     {

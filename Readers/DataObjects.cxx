@@ -97,6 +97,15 @@ void setFieldString(vtkDataObject* object, const char* name, const std::string& 
   object->GetFieldData()->AddArray(array);
 }
 
+void setFieldNumbers(vtkFieldData* fields, const char* name, std::initializer_list<double> values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.size()));
+  array->InsertNextTuple(values.begin());
+  fields->AddArray(array);
+}
+
 std::string fieldString(vtkDataObject* object, const char* name, const std::string& what)
 {
   auto array = vtkStringArray::SafeDownCast(object->GetFieldData()->GetAbstractArray(name));

@@ -3,9 +3,11 @@
 
 #include "Readers/Formats/Galaxy.h"
 
+#include <initializer_list>
 #include <string>
 
 class vtkDataObject;
+class vtkFieldData;
 class vtkImageData;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
@@ -39,6 +41,8 @@ Galaxy galaxyOfFieldData(vtkDataObject* object);
 
 /// One string as a field array.
 void setFieldString(vtkDataObject* object, const char* name, const std::string& value);
+/// One tuple of numbers as a field array.
+void setFieldNumbers(vtkFieldData* fields, const char* name, std::initializer_list<double> values);
 /// The string, or an Error naming `what` lacks the array.
 std::string fieldString(vtkDataObject* object, const char* name, const std::string& what);
 }

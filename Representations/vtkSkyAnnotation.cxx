@@ -54,6 +54,7 @@ double heightInKpc(vtkRenderer* renderer)
 
 struct vtkSkyAnnotation::Group
 {
+  vtkSmartPointer<vtkFieldData> fields; // that they are from
   galaxy::GroupLabels labels;
   std::vector<vtkSmartPointer<vtkTextActor>> actors;
 };
@@ -173,6 +174,11 @@ void vtkSkyAnnotation::AddCompass(vtkRenderer* renderer, double aspect)
 
 void vtkSkyAnnotation::SetGroup(vtkFieldData* fields)
 {
+  if (fields == this->Members->fields)
+  {
+    return;
+  }
+  this->Members->fields = fields;
   this->Members->labels = fields ? galaxy::groupLabels(fields) : galaxy::GroupLabels();
   this->Members->actors.clear();
   for (const galaxy::GroupLabels::Label& label : this->Members->labels.members)

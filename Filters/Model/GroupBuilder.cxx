@@ -89,10 +89,4 @@ Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
   }
   return mergeParticles(parts, names);
 }
-
-double distanceOf(const GroupDescription& group)
-{
-  const std::string first = besideFile(group.file, group.members.front().galaxy);
-  return 1000 * readGalaxyDescription(first).distance;
-}
 } // namespace galaxy

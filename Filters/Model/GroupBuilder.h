@@ -28,9 +28,6 @@ struct GroupPlace
 
 /// Where all of them are. Throws Error as buildGroup does.
 std::vector<GroupPlace> placesOf(const GroupDescription& group);
-
-/// The distance of the first member, kpc. Throws Error where its file cannot be read.
-double distanceOf(const GroupDescription& group);
 } // namespace galaxy
 
 #endif
