@@ -60,13 +60,18 @@ double relativeExposure(const std::vector<SplatPart>& parts, std::size_t k)
 }
 } // namespace
 
+bool SplatPicture::State::isOfScene(const State& other) const
+{
+  return this->parts == other.parts && isSame(this->camera, other.camera) &&
+    this->opaqueDepth == other.opaqueDepth;
+}
+
 bool SplatPicture::State::servesFor(const State& other) const
 {
   const bool isGood = this->accuracy == other.accuracy &&
     (this->accuracy != Accuracy::Bounded ||
       (this->allowed.light <= other.needed.light && this->allowed.share <= other.needed.share));
-  return isGood && this->seconds == other.seconds && this->parts == other.parts &&
-    isSame(this->camera, other.camera) && this->opaqueDepth == other.opaqueDepth;
+  return isGood && this->seconds == other.seconds && this->isOfScene(other);
 }
 
 RenderOptions SplatPicture::optionsOf(const std::vector<SplatPart>& parts) const
@@ -88,6 +93,7 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   const ErrorBound unseen = unseenError(parts, request.toneMap);
   options.allowed = withHeadroom(unseen);
   options.memory = &this->memory;
+  const bool isBettering = this->isAwaited;
   State next;
   next.camera = request.camera;
   next.seconds = this->nextSeconds(request, options.previewTime);
@@ -109,24 +115,59 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
     next.parts.push_back(static_cast<double>(parts[k].settings->GetMTime()));
     next.parts.push_back(relativeExposure(parts, k));
   }
+  this->aborted = false;
   if (this->last.servesFor(next))
   {
     return;
   }
   options.opaqueDepth = next.opaqueDepth.empty() ? nullptr : next.opaqueDepth.data();
+  if (request.progress && !request.isMoving)
+  {
+    options.progress = [&](double fraction) {
+      this->aborted = !request.progress(fraction);
+      return !this->aborted && !(isBettering && request.hasToWait());
+    };
+  }
   std::vector<ParticleInput> inputs(parts.size());
   const ParticleView particles = this->view(parts, inputs);
-  const double start = vtkTimerLog::GetUniversalTime();
-  if (options.accuracy == Accuracy::Preview)
+  this->draw(particles, options, next);
+  if (next.image.aborted)
   {
-    next.image = this->preview.render(particles, this->version, next.camera, options, next.seconds);
-  }
-  else
-  {
-    next.image = render(particles, next.camera, options);
-    this->fullSeconds = vtkTimerLog::GetUniversalTime() - start;
+    this->giveUp(particles, options, next);
+    return;
   }
   this->last = std::move(next);
+}
+
+void SplatPicture::draw(const ParticleView& particles, const RenderOptions& options, State& next)
+{
+  if (next.seconds > 0)
+  {
+    next.image = this->preview.render(particles, this->version, next.camera, options, next.seconds);
+    return;
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  next.image = render(particles, next.camera, options);
+  if (!next.image.aborted)
+  {
+    this->fullSeconds = vtkTimerLog::GetUniversalTime() - start;
+  }
+}
+
+/// Shows what there is instead of a picture that was aborted, or has to wait.
+void SplatPicture::giveUp(const ParticleView& particles, const RenderOptions& options, State& next)
+{
+  if (!this->last.isOfScene(next))
+  {
+    RenderOptions brief = options;
+    brief.accuracy = next.accuracy = Accuracy::Preview;
+    brief.progress = nullptr;
+    next.seconds = options.previewTime;
+    this->draw(particles, brief, next);
+    this->last = std::move(next);
+  }
+  // What has to wait is tried again when the view rests.
+  this->seconds = this->aborted ? 0 : this->last.seconds;
 }
 
 /// Where the particles are, `inputs` holding what had to be made of them.

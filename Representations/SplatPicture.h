@@ -10,6 +10,7 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct SplatRequest
   ToneMap toneMap;                ///< that of the first part
   bool isMoving = false;          ///< a preview of what would take longer than PreviewTime will do
   bool isRefined = false;         ///< refine() will be called when the view rests
+  /// Gets the fraction done; false aborts the picture. Not asked while the view moves.
+  std::function<bool(double)> progress;
+  /// Whether a picture that only betters the last one has to wait, because the view is used.
+  std::function<bool()> hasToWait;
 };
 
 /// The picture of all particles in a view, in one depth order, kept until something changes that it
@@ -45,11 +50,15 @@ class SplatPicture
 {
 public:
   /// Computes the picture unless it is there; of several parts the first says the kernel, and the
-  /// most accurate the accuracy. Throws where particles lack an array.
+  /// most accurate the accuracy. Where it is aborted, what was shown of this scene stays, or there
+  /// is a preview. Throws where particles lack an array.
   void update(const std::vector<SplatPart>& parts, SplatRequest request);
 
   /// What update() made.
   const RenderedImage& image() const { return this->last.image; }
+
+  /// Whether somebody aborted the last picture asked for.
+  bool isAborted() const { return this->aborted; }
 
   /// Lets the next picture of a view that rests be a better one, of four times the time and at last
   /// of all particles. False if there is none.
@@ -68,12 +77,15 @@ private:
     double seconds = 0; ///< that it may take; 0: however long
     RenderedImage image;
 
+    bool isOfScene(const State& other) const;
     bool servesFor(const State& other) const;
   };
 
   RenderOptions optionsOf(const std::vector<SplatPart>& parts) const;
   ParticleView view(const std::vector<SplatPart>& parts, std::vector<ParticleInput>& inputs);
   double nextSeconds(const SplatRequest& request, double shortest);
+  void draw(const ParticleView& particles, const RenderOptions& options, State& next);
+  void giveUp(const ParticleView& particles, const RenderOptions& options, State& next);
 
   State last;
   RenderMemory memory;
@@ -84,6 +96,7 @@ private:
   double fullSeconds = 0;                ///< what the last picture of all particles took
   double seconds = 0;     ///< what the picture shown was to take; 0: it is of all particles
   bool isAwaited = false; ///< a better one will be asked for
+  bool aborted = false;   ///< the last one asked for
 };
 } // namespace galaxy
 

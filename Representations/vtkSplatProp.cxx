@@ -7,6 +7,7 @@
 #include "SplatPicture.h"
 #include "vtkSplatSettings.h"
 
+#include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -169,17 +170,31 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSpl
     request.isMoving |= prop->Interactive;
     request.isRefined |= prop->Refining;
   }
+  this->Aborted = false;
+  request.progress = [this](double fraction) { return this->ReportProgress(fraction); };
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  request.hasToWait = [window] { return window->CheckAbortStatus() != 0; };
   if (!this->Picture)
   {
     this->Picture = std::make_unique<galaxy::SplatPicture>();
   }
   this->Picture->update(parts, std::move(request));
+  // What was drawn until now is to be seen all the same, in this window, whatever observers drew.
+  window->SetAbortRender(0);
+  window->MakeCurrent();
   const galaxy::RenderStatistics& statistics = this->Picture->image().statistics;
   for (vtkSplatProp* prop : props)
   {
     prop->ActiveEffects = statistics.activeEffects;
-    prop->RenderStatistics = galaxy::describe(statistics);
+    prop->RenderStatistics =
+      (this->Picture->isAborted() ? "aborted; " : "") + galaxy::describe(statistics);
   }
+}
+
+bool vtkSplatProp::ReportProgress(double fraction)
+{
+  this->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
+  return !this->Aborted;
 }
 
 bool vtkSplatProp::Refine()

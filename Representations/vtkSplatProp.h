@@ -6,8 +6,11 @@
  * has drawn: first the destination times the transmittance, then plus the tone-mapped radiance,
  * each per channel. Of several such props in a renderer the first draws the particles of all, in
  * one depth order, each with its own exposure and component factors; the stretch, the gamma and the
- * kernel are the first's. Drawn in the overlay stage, so that it neither enters nor disturbs depth
- * peeling; opaque geometry hides the particles behind it through the depth buffer.
+ * kernel are the first's. What takes long fires vtkCommand::ProgressEvent with the fraction done,
+ * and can be aborted by its observers; what only betters a picture that is there stops where the
+ * window's vtkCommand::AbortCheckEvent says so. Drawn in the overlay stage, so that it neither
+ * enters nor disturbs depth peeling; opaque geometry hides the particles behind it through the
+ * depth buffer.
  */
 #ifndef vtkSplatProp_h
 #define vtkSplatProp_h
@@ -85,6 +88,10 @@ public:
   /// of all particles. False if there is none.
   bool Refine();
 
+  /// To be called by an observer of ProgressEvent: the picture is given up. What was shown of the
+  /// same scene stays; else there is a preview.
+  void AbortPicture() { this->Aborted = true; }
+
   ///@{
   /// What the last picture called for and what it cost.
   const char* GetActiveEffects() { return this->ActiveEffects.c_str(); }
@@ -106,6 +113,8 @@ private:
   /// The props that the renderer draws particles of, the first of which draws all of them.
   std::vector<vtkSplatProp*> DrawnTogether(vtkRenderer* renderer);
   void UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSplatProp*>& props);
+  /// Says how much of the picture is done; false if it is not wanted any more.
+  bool ReportProgress(double fraction);
   galaxy::ToneMap GetToneMap() const;
   void DrawPicture(vtkOpenGLRenderWindow* window);
   /// When the particles or the settings changed last.
@@ -121,6 +130,7 @@ private:
   double WhitePoint[3] = { 1, 1, 1 };
   bool Interactive = false;
   bool Refining = false;
+  bool Aborted = false;
   double Bounds[6];
   vtkMTimeType BoundsTime = 0;
   std::string ActiveEffects;

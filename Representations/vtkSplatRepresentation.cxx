@@ -1,6 +1,7 @@
 #include "vtkSplatRepresentation.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -32,6 +33,7 @@ vtkSplatRepresentation::vtkSplatRepresentation()
   , Settings(this->Prop->GetSettings())
   , Particles(vtkSmartPointer<vtkPolyData>::New())
 {
+  this->Prop->AddObserver(vtkCommand::ProgressEvent, this, &vtkSplatRepresentation::OnProgress);
 }
 
 vtkSplatRepresentation::~vtkSplatRepresentation() = default;
@@ -59,6 +61,15 @@ int vtkSplatRepresentation::RequestData(
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
+void vtkSplatRepresentation::OnProgress(vtkObject*, unsigned long, void* fraction)
+{
+  this->UpdateProgress(*static_cast<double*>(fraction));
+  if (this->GetAbortExecute())
+  {
+    this->Prop->AbortPicture();
+  }
+}
+
 int vtkSplatRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
@@ -76,6 +87,7 @@ int vtkSplatRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
+    this->SetAbortExecute(0);
     // ParaView asks for less detail while the view of large data moves.
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
     auto particles = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));

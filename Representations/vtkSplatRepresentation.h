@@ -3,7 +3,8 @@
  * @brief   the representation "Splats": particles as emitting and absorbing kernels
  *
  * Delivers the particles to where the view renders and forwards everything else to vtkSplatProp,
- * the accuracy and the components' factors to the prop's vtkSplatSettings.
+ * the accuracy and the components' factors to the prop's vtkSplatSettings. While the prop draws,
+ * the representation's own progress is the picture's, and SetAbortExecute aborts it.
  */
 #ifndef vtkSplatRepresentation_h
 #define vtkSplatRepresentation_h
@@ -73,6 +74,8 @@ protected:
 private:
   vtkSplatRepresentation(const vtkSplatRepresentation&) = delete;
   void operator=(const vtkSplatRepresentation&) = delete;
+
+  void OnProgress(vtkObject* prop, unsigned long event, void* fraction);
 
   vtkSmartPointer<vtkSplatProp> Prop;
   vtkSmartPointer<vtkSkyAnnotation> Annotation;

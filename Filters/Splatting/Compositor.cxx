@@ -1,12 +1,12 @@
 #include "Filters/Splatting/DepthOrder.h"
 #include "Filters/Splatting/Picture.h"
+#include "Filters/Splatting/RenderProgress.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TilePieces.h"
 #include "Filters/Splatting/TileSummary.h"
 #include "Filters/Splatting/Tiles.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -49,6 +49,7 @@ public:
     , grid(camera_.width, camera_.height)
     , options(options_)
     , allowed(allowed)
+    , progress(options_.progress)
   {
   }
   RenderedImage render();
@@ -64,7 +65,6 @@ private:
   void list(TileTask& task, const Omission& omission, Workspace& work) const;
   void draw(const TileDealer& dealer, int tile, const TileTask& task, Workspace& work) const;
   void add(const std::vector<std::unique_ptr<Workspace>>& works);
-  bool proceed(std::size_t more);
   void loadOpaque(int tile, const PixelBox& box, const TileDepths& depths, TileSums& sums) const;
   void store(int tile, const TileTask& task, const TileLight& sums, RenderedImage& image) const;
 
@@ -74,24 +74,22 @@ private:
   const RenderOptions& options;
   ErrorBound allowed;
   ProjectionCounts counts;
-  std::size_t splats = 0; ///< of all tiles
-  std::atomic<std::size_t> done{ 0 };
   std::size_t untouched = 0, faint = 0;
   OrderNeeds tiles;
   ErrorBound bound;
   float thickest = 0;
-  std::atomic<bool> aborted{ false };
+  RenderProgress progress;
   double seconds[4] = { 0, 0, 0, 0 }; ///< count, project, sort, composite
 };
 
 RenderedImage Compositor::render()
 {
   RenderedImage image = emptyPicture(this->camera);
-  if (!image.radiance.empty() && this->proceed(0))
+  if (!image.radiance.empty() && !this->progress.isAborted())
   {
     this->renderBands(image);
   }
-  finishPicture(this->counts, this->tiles, this->aborted, image);
+  finishPicture(this->counts, this->tiles, this->progress.isAborted(), image);
   image.statistics.untouched = this->untouched;
   image.statistics.thickest = this->thickest;
   image.statistics.faint = this->faint;
@@ -105,33 +103,24 @@ RenderedImage Compositor::render()
   return image;
 }
 
-/// Says that so many more splats are drawn; false when the picture is not wanted any more.
-bool Compositor::proceed(std::size_t more)
-{
-  const std::size_t sum = this->done += more;
-  if (omp_get_thread_num() == 0 && this->options.progress)
-  {
-    const double fraction = double(sum) / double(std::max<std::size_t>(1, this->splats));
-    this->aborted = !this->options.progress(fraction);
-  }
-  return !this->aborted;
-}
-
 void Compositor::renderBands(RenderedImage& image)
 {
   const double start = omp_get_wtime();
   RenderMemory own;
-  const TileDealer dealer(
-    this->projection, this->camera, this->options.memory ? *this->options.memory : own);
+  const TileDealer dealer(this->projection, this->camera,
+    this->options.memory ? *this->options.memory : own, this->progress);
   this->seconds[0] = omp_get_wtime() - start;
   this->counts = dealer.missing();
-  this->splats = dealer.splats();
-  for (int k = 0; k < dealer.bands() && !this->aborted; ++k)
+  for (int k = 0; k < dealer.bands(); ++k)
   {
     const double before = omp_get_wtime();
     const TileBand& band = dealer.deal(k);
     this->seconds[1] += omp_get_wtime() - before;
     this->counts += band.counts;
+    if (this->progress.isAborted())
+    {
+      return;
+    }
     this->renderBand(dealer, band, image);
   }
 }
@@ -151,18 +140,17 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
   {
     work.reset(new Workspace); // its sums are cleared when used
   }
-  for (auto tile = tiles.begin(); tile != small && !this->aborted; ++tile)
+  for (auto tile = tiles.begin(); tile != small && !this->progress.isAborted(); ++tile)
   {
     this->renderInPieces(dealer, band, *tile, works, image);
-    this->proceed(dealer.splatsOf(*tile));
   }
 #pragma omp parallel for schedule(dynamic, 1)
   for (auto tile = small; tile < tiles.end(); ++tile)
   {
-    if (!this->aborted && dealer.splatsOf(*tile) > 0)
+    if (!this->progress.isAborted() && dealer.splatsOf(*tile) > 0)
     {
       this->renderTile(dealer, band, *tile, *works[omp_get_thread_num()], image);
-      this->proceed(dealer.splatsOf(*tile));
+      this->progress.advance(dealer.splatsOf(*tile));
     }
   }
   // Threads' times are shared out so that the stages add up to what the clock on the wall says.
@@ -291,7 +279,7 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < pieces.size(); ++k)
   {
-    if (this->aborted)
+    if (this->progress.isAborted())
     {
       continue;
     }
@@ -310,8 +298,9 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
     task.opaque /= static_cast<float>(pieces.size());
     this->draw(dealer, tile, task, work);
     lights[k].reset(new TileLight(work.sums.all));
+    this->progress.advance(pieces.end(k) - pieces.begin(k));
   }
-  if (!this->aborted)
+  if (!this->progress.isAborted())
   {
     for (int k = 1; k < pieces.size(); ++k)
     {

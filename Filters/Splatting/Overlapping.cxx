@@ -296,12 +296,12 @@ RenderedImage renderOverlapping(
   const double start = omp_get_wtime();
   const Projection projection(particles, camera);
   RenderMemory own;
-  const TileDealer dealer(projection, camera, options.memory ? *options.memory : own);
+  RenderProgress progress(options.progress);
+  const TileDealer dealer(projection, camera, options.memory ? *options.memory : own, progress);
   const TileGrid& grid = dealer.grid();
   ProjectionCounts counts = dealer.missing();
-  std::atomic<bool> aborted{ options.progress && !options.progress(0) };
   std::atomic<std::size_t> coarse{ 0 };
-  for (int k = 0; k < dealer.bands() && !aborted; ++k)
+  for (int k = 0; k < dealer.bands() && !progress.isAborted(); ++k)
   {
     const TileBand& band = dealer.deal(k);
     counts += band.counts;
@@ -310,20 +310,17 @@ RenderedImage renderOverlapping(
     {
       const std::size_t first = band.first[tile - band.firstTile];
       const std::size_t count = band.first[tile - band.firstTile + 1] - first;
-      if (count > 0 && !aborted)
+      if (count > 0 && !progress.isAborted())
       {
         TileSlicer slicer(camera, options, grid, tile);
         slicer.draw(band.splats.data() + first, count, dealer.depthsOf(tile), projection);
         slicer.march(image);
         coarse += slicer.isCoarse();
-      }
-      if (omp_get_thread_num() == 0 && options.progress && !aborted)
-      {
-        aborted = !options.progress(double(tile) / grid.size());
+        progress.advance(count);
       }
     }
   }
-  finishPicture(counts, { 1, 0, 0 }, aborted, image);
+  finishPicture(counts, { 1, 0, 0 }, progress.isAborted(), image);
   image.statistics.coarse = coarse;
   if (counts.absorbers > 0)
   {

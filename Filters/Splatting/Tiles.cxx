@@ -13,6 +13,10 @@ namespace galaxy
 {
 namespace
 {
+/// How much of a picture's time counting and dealing take, about; the rest is drawing.
+constexpr double countingShare = 0.1;
+constexpr double dealingShare = 0.35;
+
 /// The particles that one of `parts` shares begins with, a multiple of the block's size.
 std::size_t shareBegin(std::size_t size, std::size_t part, std::size_t parts)
 {
@@ -62,6 +66,10 @@ public:
       {
         home[i + k] = this->countOne(i + k, *tiles, k, counts, depths, absent);
       }
+      if (!this->dealer.progress.advance(size))
+      {
+        return;
+      }
     }
   }
 
@@ -77,6 +85,10 @@ public:
       // What is fetched now is there when it is its turn.
       this->list(next, band, this->lists[turn ^ 1]);
       this->deal(i, this->lists[turn], writer, band);
+      if (!this->dealer.progress.advance(next - i))
+      {
+        return;
+      }
     }
     this->count(counts);
   }
@@ -217,11 +229,13 @@ private:
   std::size_t tally[fates] = {}; ///< particles by fate
 };
 
-TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, RenderMemory& memory_)
+TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, RenderMemory& memory_,
+  RenderProgress& progress_)
   : projection(projection_)
   , camera(camera_)
   , tiles(camera_.width, camera_.height)
   , memory(memory_)
+  , progress(progress_)
   , counts(omp_get_max_threads(), std::vector<std::uint32_t>(this->tiles.size()))
   , totals(this->tiles.size())
   , depths(this->tiles.size())
@@ -234,6 +248,7 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
   {
     this->memory.home = Buffer<std::uint32_t>(projection.size());
   }
+  this->progress.begin(countingShare, projection.size());
   const std::size_t parts = this->counts.size();
   std::vector<ProjectionCounts> absences(parts);
   std::vector<std::vector<DepthRange>> ranges(parts, std::vector<DepthRange>(this->tiles.size()));
@@ -242,6 +257,11 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
   {
     const std::unique_ptr<Share> share(new Share(*this, part, parts));
     share->count(this->memory.home, this->counts[part], ranges[part], absences[part]);
+  }
+  if (this->progress.isAborted())
+  {
+    this->starts = { 0 };
+    return;
   }
   for (std::size_t part = 0; part < parts; ++part)
   {
@@ -261,6 +281,7 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
     }
     this->depths[tile] = TileDepths(all.nearest, all.farthest);
   }
+  this->sum = std::accumulate(this->totals.begin(), this->totals.end(), std::size_t(0));
   this->cutIntoBands();
 }
 
@@ -282,11 +303,6 @@ void TileDealer::cutIntoBands()
     this->largestBand = std::max(this->largestBand, inBand);
   }
   this->starts.push_back(this->tiles.size());
-}
-
-std::size_t TileDealer::splats() const
-{
-  return std::accumulate(this->totals.begin(), this->totals.end(), std::size_t(0));
 }
 
 const TileBand& TileDealer::deal(int k) const
@@ -316,6 +332,8 @@ const TileBand& TileDealer::deal(int k) const
   {
     band.splats.reserve(this->largestBand);
   }
+  const double share = double(sum) / double(std::max<std::size_t>(1, this->sum));
+  this->progress.begin(dealingShare * share, this->projection.size());
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)
   {
@@ -326,6 +344,7 @@ const TileBand& TileDealer::deal(int k) const
 #pragma omp critical
     band.counts += counted;
   }
+  this->progress.begin((1 - countingShare - dealingShare) * share, sum);
   return band;
 }
 } // namespace galaxy

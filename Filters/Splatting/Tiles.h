@@ -3,6 +3,7 @@
 
 #include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/Projection.h"
+#include "Filters/Splatting/RenderProgress.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/SplatMemory.h"
 #include "Filters/Splatting/TileGrid.h"
@@ -35,21 +36,21 @@ class TileDealer
 {
 public:
   /// Projects every particle and counts the splats of every tile. Throws Error if there are more
-  /// particles than 32 bits can number.
-  TileDealer(const Projection& projection, const Camera& camera, RenderMemory& memory);
+  /// particles than 32 bits can number. Where the picture is aborted there are no bands.
+  TileDealer(const Projection& projection, const Camera& camera, RenderMemory& memory,
+    RenderProgress& progress);
 
   /// How many bands the tiles make, so many that the splats of each fit into memory: with the home
   /// of every particle 16 bytes for each of them, and no less than 64 MB.
   int bands() const { return static_cast<int>(this->starts.size()) - 1; }
 
   /// The splats of band k; the same for any number of threads. They are written over those of the
-  /// band before.
+  /// band before. Not to be used where the picture was aborted meanwhile.
   const TileBand& deal(int k) const;
 
   const TileGrid& grid() const { return this->tiles; }
   const TileDepths& depthsOf(int tile) const { return this->depths[tile]; }
   std::size_t splatsOf(int tile) const { return this->totals[tile]; }
-  std::size_t splats() const; ///< of all tiles
   /// Particles that are nowhere: off the image, behind the eye or hidden, and invalid ones.
   const ProjectionCounts& missing() const { return this->absent; }
 
@@ -62,8 +63,10 @@ private:
   Camera camera;
   TileGrid tiles;
   RenderMemory& memory;
+  RenderProgress& progress;
   std::vector<std::vector<std::uint32_t>> counts; ///< by share and tile
   std::vector<std::size_t> totals;                ///< by tile
+  std::size_t sum = 0;                            ///< of them
   std::vector<TileDepths> depths;                 ///< by tile
   ProjectionCounts absent;
   std::vector<int> starts;     ///< the first tile of each band, and the number of tiles

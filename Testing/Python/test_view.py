@@ -246,6 +246,58 @@ class View(ViewTest):
         self.view.StillRender()
         np.testing.assert_allclose(self.shot(), whole, atol=1 / 254)
 
+    def test_drawing_tells_how_far_it_is_and_can_be_aborted(self):
+        display, whole = self.show_many(400000)
+        splats = display.GetClientSideObject().GetActiveRepresentation()
+        told = []
+
+        def listen(caller, _):
+            told.append(caller.GetProgress())
+            if told[-1] > abort_at:
+                caller.SetAbortExecute(1)
+
+        splats.AddObserver("ProgressEvent", listen)
+        abort_at = 1
+        self.view.CameraPosition = [0, 0, 6]
+        simple.Render(self.view)
+        self.assertGreater(len(told), 20)
+        self.assertEqual(told, sorted(told))
+        self.assertLess(told[0], 0.01)
+        self.assertGreater(told[-1], 0.9)
+        for abort_at in (-1, 0.05, 0.3, 0.8):  # at once, in counting, in dealing, in drawing
+            told.clear()
+            self.view.CameraPosition = [0, 0, 5 + abort_at]
+            simple.Render(self.view)
+            self.assertEqual(sum(fraction > abort_at for fraction in told), 1)  # not asked again
+            display.UpdatePropertyInformation()
+            self.assertRegex(display.RenderStatistics, "^aborted; .* stand for all")
+            # Right on average.
+            self.assertAlmostEqual(self.pixels().mean(), whole.mean(), delta=0.05 * whole.mean())
+        abort_at = 1
+        np.testing.assert_allclose(self.shot(), whole, atol=1 / 254)
+        display.UpdatePropertyInformation()
+        self.assertNotIn("aborted", display.RenderStatistics)
+
+    def test_refining_waits_while_the_view_is_used(self):
+        display, whole = self.show_many(400000)
+        self.view.LODThreshold = 0
+        self.view.GetClientSideObject().Update()
+        self.view.SMProxy.StreamingUpdate(True)
+        self.view.CameraPosition = [0, 0, 6]
+        self.view.InteractiveRender()
+        self.view.CameraPosition = [0, 0, 5]
+        self.view.InteractiveRender()
+        self.view.StillRender()
+        preview = self.pixels()
+        window = self.view.GetRenderWindow()
+        asked = window.AddObserver("AbortCheckEvent", lambda caller, _: caller.SetAbortRender(1))
+        self.assertTrue(self.view.SMProxy.StreamingUpdate(True))
+        np.testing.assert_array_equal(self.pixels(), preview)
+        window.RemoveObserver(asked)
+        while self.view.SMProxy.StreamingUpdate(True):
+            pass
+        np.testing.assert_allclose(self.pixels(), whole, atol=1 / 254)
+
     def test_preview_is_bounded_on_average_and_bounded_is_sorted(self):
         rng = np.random.default_rng(2)
         places = rng.uniform(-1, 1, (20000, 3)).astype(np.float32)
