@@ -129,13 +129,15 @@ SeedData toSeeds(vtkPolyData* input)
 }
 
 void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
-  const std::function<void(ComponentDescription&)>& change, vtkPolyData* output)
+  const std::function<void(ComponentDescription&)>& change, const Progress& progress,
+  vtkPolyData* output)
 {
   SeedData data = toSeeds(input);
   change(data.description());
   BuildOptions options;
   options.seed = static_cast<std::uint64_t>(randomSeed);
   options.velocities = velocities;
+  options.progress = progress;
   toPolyData(buildFromSeeds(data.galaxy, data.component, data.seeds, options), output);
   setSkyPlace(data.galaxy.description, output);
 }

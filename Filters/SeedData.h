@@ -32,7 +32,8 @@ SeedData toSeeds(vtkPolyData* input);
 /// The particles of the seeds in `input`, after `change` has adapted the component's description;
 /// with the array Velocity where asked.
 void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
-  const std::function<void(ComponentDescription&)>& change, vtkPolyData* output);
+  const std::function<void(ComponentDescription&)>& change, const Progress& progress,
+  vtkPolyData* output);
 }
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/SeedData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/PropertyChecks.h"
@@ -50,6 +51,7 @@ int vtkDiskSeeds::RequestData(
     options.particleScale = this->ParticleScale;
     options.seed = galaxy::seedOf(this->RandomSeed);
     options.viewPixel = this->ViewPixel;
+    options.progress = galaxy::progressOf(this);
     data.seeds = galaxy::buildSeeds(data.galaxy, data.component, options);
     galaxy::toPolyData(std::move(data), vtkPolyData::GetData(outputVector, 0));
   });

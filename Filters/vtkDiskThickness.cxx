@@ -1,6 +1,7 @@
 #include "vtkDiskThickness.h"
 
 #include "Filters/SeedData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/WidthTable.h"
 #include "Readers/ReportErrors.h"
 
@@ -64,7 +65,7 @@ int vtkDiskThickness::RequestData(
   };
   return galaxy::reportErrors(this, [&] {
     galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed,
-      this->Velocities, change, vtkPolyData::GetData(outputVector, 0));
+      this->Velocities, change, galaxy::progressOf(this), vtkPolyData::GetData(outputVector, 0));
   });
 }
 

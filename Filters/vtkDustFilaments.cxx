@@ -1,6 +1,7 @@
 #include "vtkDustFilaments.h"
 
 #include "Filters/SeedData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
@@ -39,7 +40,7 @@ int vtkDustFilaments::RequestData(
   };
   return galaxy::reportErrors(this, [&] {
     galaxy::seedsToParticles(vtkPolyData::GetData(inputVector[0], 0), this->RandomSeed,
-      this->Velocities, change, vtkPolyData::GetData(outputVector, 0));
+      this->Velocities, change, galaxy::progressOf(this), vtkPolyData::GetData(outputVector, 0));
   });
 }
 

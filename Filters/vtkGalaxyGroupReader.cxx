@@ -4,6 +4,7 @@
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
 #include "Filters/ViewpointData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -29,10 +30,7 @@ int vtkGalaxyGroupReader::RequestData(
     galaxy::BuildOptions options;
     options.particleScale = this->ParticleScale;
     options.seed = galaxy::seedOf(this->RandomSeed);
-    options.progress = [this](double fraction) {
-      this->UpdateProgress(fraction);
-      return !this->GetAbortExecute();
-    };
+    options.progress = galaxy::progressOf(this);
     const std::vector<galaxy::GroupPlace> places = galaxy::placesOf(group);
     galaxy::Particles particles = galaxy::buildGroup(group, options);
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);

@@ -4,6 +4,7 @@
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
 #include "Filters/ViewpointData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/DataObjects.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
@@ -117,22 +118,19 @@ int vtkGalaxyModel::RequestData(
     options.seed = galaxy::seedOf(this->RandomSeed);
     options.velocities = this->Velocities;
     options.viewPixel = this->ViewPixel;
-    options.progress = [this](double fraction) {
-      this->UpdateProgress(fraction);
-      return !this->GetAbortExecute();
-    };
+    options.progress = galaxy::progressOf(this);
     galaxy::BuildReport report;
     galaxy::Particles particles = galaxy::buildGalaxy(input, options, &report);
     this->Report = inWords(report);
     this->ReportJSON = asJSON(report);
     const std::string unasked = darkOnes(report, false);
-    if (!unasked.empty() && !report.aborted)
+    if (!unasked.empty())
     {
       vtkWarningMacro(<< input.description.file << ": no particles for " << unasked
                       << ": its images have light, but `particles` times ParticleScale is 0");
     }
     const std::string dark = darkOnes(report, true);
-    if (!dark.empty() && !report.aborted)
+    if (!dark.empty())
     {
       vtkWarningMacro(
         << input.description.file << ": no particles for " << dark
@@ -140,13 +138,10 @@ int vtkGalaxyModel::RequestData(
            "and distance, its inclination (edge-on, a flat disc covers no pixel), its images' "
            "coordinates and the layers' clip and threshold");
     }
-    if (!report.aborted)
-    {
-      vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-      galaxy::toPolyData(std::move(particles), output);
-      galaxy::setSkyPlace(input.description, output);
-      galaxy::toFieldData(galaxy::outlookOf(input), output->GetFieldData());
-    }
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+    galaxy::toPolyData(std::move(particles), output);
+    galaxy::setSkyPlace(input.description, output);
+    galaxy::toFieldData(galaxy::outlookOf(input), output->GetFieldData());
   });
 }
 

@@ -3,6 +3,7 @@
 #include "Filters/Export/ExportParticles.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PointArrays.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/ReportErrors.h"
 
@@ -188,10 +189,7 @@ void vtkParticleWriter::Export(vtkPolyData* particles)
 {
   galaxy::ExportOptions options;
   options.format = formatOf(this->Format, this->FileName);
-  options.progress = [this](double fraction) {
-    this->UpdateProgress(fraction);
-    return !this->GetAbortExecute();
-  };
+  options.progress = galaxy::progressOf(this);
   PointArrays::Converted converted;
   if (!galaxy::exportParticles(viewTable(particles, converted), this->FileName, options))
   {

@@ -3,6 +3,7 @@
 #include "Filters/AdoptBuffer.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/PointArrays.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/ReportErrors.h"
 
@@ -29,6 +30,8 @@ struct Points
   const float* intensity = nullptr;         ///< null where there is none
   const unsigned char* component = nullptr; ///< null where there is none
   PointArrays::Converted converted;
+
+  double share(std::size_t count) const { return double(count) / double(this->size); }
 };
 
 Points view(vtkPolyData* input, bool byLight)
@@ -60,7 +63,7 @@ Points view(vtkPolyData* input, bool byLight)
 
 /// The particles of one component, wherever they stand, copied together and back.
 void setComponent(const Points& points, const std::vector<std::size_t>& members,
-  const SmoothingDescription& smoothing, float* h)
+  const SmoothingDescription& smoothing, float* h, const Progress& progress)
 {
   std::vector<float> position(3 * members.size()), light(members.size()), own(members.size());
   for (std::size_t k = 0; k < members.size(); ++k)
@@ -68,7 +71,7 @@ void setComponent(const Points& points, const std::vector<std::size_t>& members,
     std::copy_n(points.position + 3 * members[k], 3, &position[3 * k]);
     light[k] = points.intensity ? points.intensity[members[k]] : 0;
   }
-  smoothingLengths(position.data(), light.data(), own.size(), smoothing, own.data());
+  smoothingLengths(position.data(), light.data(), own.size(), smoothing, own.data(), progress);
   for (std::size_t k = 0; k < members.size(); ++k)
   {
     h[members[k]] = own[k];
@@ -76,7 +79,8 @@ void setComponent(const Points& points, const std::vector<std::size_t>& members,
 }
 
 /// In place where the components stand one after the other, as those of a galaxy do.
-void setSortedComponents(const Points& points, const SmoothingDescription& smoothing, float* h)
+void setSortedComponents(
+  const Points& points, const SmoothingDescription& smoothing, float* h, const Progress& progress)
 {
   const unsigned char* end = points.component + points.size;
   for (std::size_t first = 0, last = 0; first < points.size; first = last)
@@ -84,20 +88,22 @@ void setSortedComponents(const Points& points, const SmoothingDescription& smoot
     last =
       std::upper_bound(points.component + first, end, points.component[first]) - points.component;
     smoothingLengths(points.position + 3 * first,
-      points.intensity ? points.intensity + first : nullptr, last - first, smoothing, h + first);
+      points.intensity ? points.intensity + first : nullptr, last - first, smoothing, h + first,
+      partOf(progress, points.share(first), points.share(last)));
   }
 }
 
-void setAll(const Points& points, const SmoothingDescription& smoothing, float* h)
+void setAll(
+  const Points& points, const SmoothingDescription& smoothing, float* h, const Progress& progress)
 {
   if (!points.component)
   {
-    smoothingLengths(points.position, points.intensity, points.size, smoothing, h);
+    smoothingLengths(points.position, points.intensity, points.size, smoothing, h, progress);
     return;
   }
   if (std::is_sorted(points.component, points.component + points.size))
   {
-    setSortedComponents(points, smoothing, h);
+    setSortedComponents(points, smoothing, h, progress);
     return;
   }
   std::array<std::vector<std::size_t>, 256> members;
@@ -105,9 +111,12 @@ void setAll(const Points& points, const SmoothingDescription& smoothing, float* 
   {
     members[points.component[i]].push_back(i);
   }
+  std::size_t done = 0;
   for (const std::vector<std::size_t>& component : members)
   {
-    setComponent(points, component, smoothing, h);
+    const double begin = points.share(done);
+    done += component.size();
+    setComponent(points, component, smoothing, h, partOf(progress, begin, points.share(done)));
   }
 }
 } // namespace
@@ -131,7 +140,7 @@ int vtkSmoothingLength::RequestData(
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     const Points points = view(input, this->Model == BRIGHTNESS);
     Buffer<float> h(points.size);
-    setAll(points, smoothing, h.data());
+    setAll(points, smoothing, h.data(), progressOf(this));
     output->ShallowCopy(input);
     output->GetPointData()->AddArray(adopt<vtkFloatArray>(h, "SmoothingLength", 1));
   });

@@ -3,6 +3,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/Model/Placement.h"
 #include "Filters/ParticleData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
 #include "Readers/Formats/NumberTable.h"
@@ -143,6 +144,7 @@ int vtkSpheroidSource::RequestData(
     input.rings.rings.resize(1);
     galaxy::BuildOptions options;
     options.seed = galaxy::seedOf(this->RandomSeed);
+    options.progress = galaxy::progressOf(this);
     galaxy::Particles particles = galaxy::buildGalaxy(input, options);
     galaxy::Placement placement;
     placement.centre = { this->Center[0], this->Center[1], this->Center[2] };

@@ -5,6 +5,7 @@
 #include "Filters/Splatting/Panorama.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Tiles.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkFloatArray.h"
@@ -109,10 +110,7 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   const double half = this->Settings->GetTolerance() / 2;
   options.allowed = { this->White > 0 ? half * this->White : 0, half };
   options.memory = this->Splatting.get();
-  options.progress = [this](double fraction) {
-    this->UpdateProgress(fraction);
-    return !this->GetAbortExecute();
-  };
+  options.progress = galaxy::progressOf(this);
   const galaxy::RenderedImage image = this->Render(input.view, options);
   if (image.aborted)
   {

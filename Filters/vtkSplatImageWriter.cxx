@@ -2,6 +2,7 @@
 
 #include "Filters/Export/ExportPicture.h"
 #include "Filters/PictureData.h"
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/ReportErrors.h"
 
@@ -46,10 +47,7 @@ void vtkSplatImageWriter::Export()
   }
   galaxy::PictureExportOptions options;
   options.pixel = this->PixelType == HALF ? galaxy::ExrPixel::Half : galaxy::ExrPixel::Float;
-  options.progress = [this](double fraction) {
-    this->UpdateProgress(fraction);
-    return !this->GetAbortExecute();
-  };
+  options.progress = galaxy::progressOf(this);
   const galaxy::PictureInput input =
     galaxy::viewPicture(vtkImageData::SafeDownCast(this->GetInput()));
   if (!galaxy::exportPicture(input.picture, this->FileName, options))

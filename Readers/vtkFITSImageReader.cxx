@@ -1,5 +1,6 @@
 #include "vtkFITSImageReader.h"
 
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/FitsFile.h"
 #include "Readers/ReportErrors.h"
@@ -59,25 +60,13 @@ bool vtkFITSImageReader::ReadIfModified()
     return this->Image != nullptr;
   }
   this->Image.reset();
-  this->ImageTime.Modified();
-  this->AbortExecute = 0;
-  const auto progress = [this](double part) {
-    this->UpdateProgress(part);
-    return !this->GetAbortExecute();
-  };
   galaxy::reportErrors(this, [&] {
-    try
-    {
-      this->Image = std::make_unique<galaxy::Image>(
-        galaxy::readFitsImage(this->FileName, this->Selection(), progress));
-    }
-    catch (const galaxy::Aborted&)
-    {
-      // Whoever ended the reading knows, by SetAbortExecute, which has modified this object:
-      // without this, RequestData would read again what RequestInformation was told to leave.
-      this->ImageTime.Modified();
-    }
+    this->Image = std::make_unique<galaxy::Image>(
+      galaxy::readFitsImage(this->FileName, this->Selection(), galaxy::progressOf(this)));
   });
+  // Not before: whoever aborts the reading modifies this object, and RequestData is not to read
+  // again what RequestInformation was told to leave.
+  this->ImageTime.Modified();
   return this->Image != nullptr;
 }
 
@@ -99,7 +88,7 @@ int vtkFITSImageReader::RequestData(
 {
   if (!this->ReadIfModified())
   {
-    return 0;
+    return this->GetAbortExecute();
   }
   galaxy::toImageData(*this->Image, vtkImageData::GetData(outputVector, 0));
   return 1;

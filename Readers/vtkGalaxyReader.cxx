@@ -1,5 +1,6 @@
 #include "vtkGalaxyReader.h"
 
+#include "Readers/AlgorithmProgress.h"
 #include "Readers/DataObjects.h"
 #include "Readers/ReportErrors.h"
 
@@ -17,7 +18,7 @@ int vtkGalaxyReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   return galaxy::reportErrors(this, [&] {
-    galaxy::toCollection(galaxy::readGalaxy(this->FileName),
+    galaxy::toCollection(galaxy::readGalaxy(this->FileName, galaxy::progressOf(this)),
       vtkPartitionedDataSetCollection::GetData(outputVector, 0));
   });
 }

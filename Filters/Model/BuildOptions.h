@@ -1,9 +1,10 @@
 #ifndef galaxy_BuildOptions_h
 #define galaxy_BuildOptions_h
 
+#include "Readers/Formats/Progress.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 
 namespace galaxy
@@ -17,8 +18,7 @@ struct BuildOptions
   /// Side of the pixels that the model will be seen with, kpc: components of particles = "Auto"
   /// are made no finer than that. 0: as fine as their images.
   double viewPixel = 0;
-  /// Called from the calling thread with the fraction done; returning false aborts.
-  std::function<bool(double)> progress;
+  Progress progress; ///< what it ends throws Aborted
 };
 
 /// Throws Error (file) naming ParticleScale or ViewPixel, as the filters call them, where the value

@@ -60,6 +60,7 @@ public:
     }
     this->report = {};
     this->report.components.resize(this->galaxy.components.size());
+    this->components = this->galaxy.components.size();
     this->particles.velocity.resize(0);
   }
 
@@ -94,10 +95,7 @@ public:
     {
       this->particles.components.push_back(infoOf(component));
     }
-    if (this->options.progress && !this->options.progress(1))
-    {
-      throw Aborted(this->galaxy.file, "", "the model was given up");
-    }
+    this->tell(1);
     return std::move(this->particles);
   }
 
@@ -108,14 +106,19 @@ public:
     {
       throw Error(this->galaxy.file, component.name, "only components of type Disk have seeds");
     }
+    this->components = 1;
+    this->proceed();
     std::optional<LightMap> map = this->lightOf(index, false);
     return this->sample(index, map);
   }
 
   Particles fromSeeds(std::size_t index, const Seeds& seeds)
   {
+    this->components = 1;
+    this->proceed();
     this->report.components[index].seedsKept = seeds.size();
     this->placeDisk(index, seeds);
+    this->proceed();
     this->smooth(index, 0);
     this->particles.components = { infoOf(this->galaxy.components[index]) };
     std::fill(this->particles.component.begin(), this->particles.component.end(), 0);
@@ -126,14 +129,23 @@ private:
   /// Says that another stage is done; its seconds.
   double proceed()
   {
-    constexpr double stages = 6;
-    const double all = stages * std::max<std::size_t>(1, this->galaxy.components.size());
-    const double fraction = std::min(1.0, this->stagesDone++ / all);
+    this->tell(this->after(this->stagesDone++));
+    return this->watch.lap();
+  }
+
+  /// The fraction that is done after so many stages.
+  double after(double stages) const
+  {
+    constexpr double stagesOfOne = 6;
+    return std::min(1.0, stages / (stagesOfOne * std::max<double>(1, this->components)));
+  }
+
+  void tell(double fraction)
+  {
     if (this->options.progress && !this->options.progress(fraction))
     {
       throw Aborted(this->galaxy.file, "", "the model was given up");
     }
-    return this->watch.lap();
   }
 
   RandomKey keyOf(std::size_t index) const
@@ -326,7 +338,9 @@ private:
     ComponentReport& done = this->report.components[index];
     const std::size_t last = this->particles.size();
     requireFinite(this->particles, first, last, this->galaxy.file, component.name);
-    setSmoothingLengths(this->particles, first, last, component.smoothing);
+    setSmoothingLengths(this->particles, first, last, component.smoothing,
+      partOf(
+        this->options.progress, this->after(this->stagesDone - 1), this->after(this->stagesDone)));
     requireFiniteLengths(this->particles, first, last, this->galaxy.file, component.name);
     done.particles = last - first;
     done.smoothingLength = done.particles > 0
@@ -342,6 +356,7 @@ private:
   ImageStore store;
   Particles particles;
   Stopwatch watch;
+  std::size_t components = 0; ///< to be built
   double stagesDone = 0;
 };
 } // namespace
@@ -349,30 +364,14 @@ private:
 Particles buildGalaxy(const Galaxy& input, const BuildOptions& options, BuildReport* report)
 {
   BuildReport unread;
-  BuildReport& done = report ? *report : unread;
-  try
-  {
-    return Builder(input, options, done).build();
-  }
-  catch (const Aborted&)
-  {
-    done.aborted = true;
-    return {};
-  }
+  return Builder(input, options, report ? *report : unread).build();
 }
 
 Seeds buildSeeds(const Galaxy& input, const std::string& componentName, const BuildOptions& options)
 {
   BuildReport report;
-  try
-  {
-    Builder builder(input, options, report);
-    return builder.seedsOf(builder.indexOf(componentName));
-  }
-  catch (const Aborted&)
-  {
-    return {};
-  }
+  Builder builder(input, options, report);
+  return builder.seedsOf(builder.indexOf(componentName));
 }
 
 Particles buildFromSeeds(const Galaxy& input, const std::string& componentName, const Seeds& seeds,

@@ -48,7 +48,6 @@ struct ComponentReport
 struct BuildReport
 {
   std::vector<ComponentReport> components; ///< in the description's order
-  bool aborted = false;                    ///< then there are no particles
 };
 
 /// The whole model. Emitters carry their luminosity

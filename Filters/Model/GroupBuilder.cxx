@@ -73,17 +73,10 @@ Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
     const double done = static_cast<double>(parts.size());
     BuildOptions memberOptions = options;
     memberOptions.seed = options.seed + parts.size();
-    if (options.progress)
-    {
-      memberOptions.progress = [&](double f) { return options.progress((done + f) / count); };
-    }
-    const Galaxy galaxy = readGalaxy(besideFile(group.file, member.galaxy));
-    BuildReport report;
-    parts.push_back(buildGalaxy(galaxy, memberOptions, &report));
-    if (report.aborted)
-    {
-      return {};
-    }
+    const Progress reading = partOf(options.progress, done / count, (done + 0.3) / count);
+    memberOptions.progress = partOf(options.progress, (done + 0.3) / count, (done + 1) / count);
+    const Galaxy galaxy = readGalaxy(besideFile(group.file, member.galaxy), reading);
+    parts.push_back(buildGalaxy(galaxy, memberOptions));
     names.push_back(galaxy.description.name);
     place(places[names.size() - 1].placement, group, member, parts.back());
   }

@@ -14,8 +14,8 @@ namespace galaxy
 /// magnified about its own centre. Components are named "GALAXY/COMPONENT".
 ///
 /// Every member draws its own random numbers: options.seed plus its place in the list.
-/// Empty where options.progress asked to abort. Throws Error naming the file at fault, and the key
-/// where a magnification or the separation is not greater than 0.
+/// Throws Error naming the file at fault, and the key where a magnification or the separation is
+/// not greater than 0.
 Particles buildGroup(const GroupDescription& group, const BuildOptions& options = {});
 
 /// A member of a group in the frame of the first one.

@@ -1,5 +1,7 @@
 #include "Filters/Model/NearestNeighbours.h"
 
+#include "Filters/Model/WorkProgress.h"
+
 #include <nanoflann.hpp>
 
 #include <algorithm>
@@ -43,7 +45,8 @@ public:
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 3, std::size_t>;
 } // namespace
 
-void neighbourDistances(const float* position, std::size_t count, int k, float* d)
+void neighbourDistances(
+  const float* position, std::size_t count, int k, float* d, const Progress& progress)
 {
   constexpr double ball = 4 * 3.14159265358979323846 / 3;
   Cloud cloud{ position, {} };
@@ -63,7 +66,11 @@ void neighbourDistances(const float* position, std::size_t count, int k, float* 
   {
     return;
   }
+  constexpr double treeShare = 0.2; // of the time, about
+  WorkProgress work(progress);
+  work.begin(treeShare, 1);
   const Tree tree(3, cloud, { 16 });
+  work.begin(1 - treeShare, cloud.particles.size());
 #pragma omp parallel
   {
     std::vector<std::size_t> nearest(others + 1); // the particle itself is the first
@@ -71,12 +78,20 @@ void neighbourDistances(const float* position, std::size_t count, int k, float* 
 #pragma omp for schedule(dynamic, 1024)
     for (std::size_t i = 0; i < cloud.particles.size(); ++i)
     {
+      if (!work.advance(1))
+      {
+        continue;
+      }
       const std::size_t particle = cloud.particles[i];
       Nearest found(others + 1);
       found.init(nearest.data(), square.data());
       tree.findNeighbors(found, position + 3 * particle, {});
       d[particle] = static_cast<float>(std::sqrt(square[others]) * std::cbrt(ball / others));
     }
+  }
+  if (work.isAborted())
+  {
+    throw Aborted("particles", "", "their smoothing lengths were given up");
   }
 }
 } // namespace galaxy

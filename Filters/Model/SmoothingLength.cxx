@@ -65,7 +65,7 @@ void lengthsByLight(
 } // namespace
 
 void smoothingLengths(const float* position, const float* intensity, std::size_t count,
-  const SmoothingDescription& smoothing, float* h)
+  const SmoothingDescription& smoothing, float* h, const Progress& progress)
 {
   requireInRange(smoothing, "particles", "");
   double factor = 1;
@@ -77,7 +77,7 @@ void smoothingLengths(const float* position, const float* intensity, std::size_t
       break;
     case SmoothingModel::Neighbours:
       factor = smoothing.factor;
-      neighbourDistances(position, count, smoothing.neighbours, h);
+      neighbourDistances(position, count, smoothing.neighbours, h, progress);
       break;
     case SmoothingModel::Constant:
       std::fill_n(h, count, static_cast<float>(smoothing.length));
@@ -96,10 +96,10 @@ void smoothingLengths(const float* position, const float* intensity, std::size_t
   }
 }
 
-void setSmoothingLengths(
-  Particles& particles, std::size_t first, std::size_t last, const SmoothingDescription& smoothing)
+void setSmoothingLengths(Particles& particles, std::size_t first, std::size_t last,
+  const SmoothingDescription& smoothing, const Progress& progress)
 {
   smoothingLengths(particles.position.data() + 3 * first, particles.intensity.data() + first,
-    last - first, smoothing, particles.smoothingLength.data() + first);
+    last - first, smoothing, particles.smoothingLength.data() + first, progress);
 }
 } // namespace galaxy

@@ -3,6 +3,7 @@
 
 #include "Filters/Model/Particles.h"
 #include "Readers/Formats/GalaxyDescription.h"
+#include "Readers/Formats/Progress.h"
 
 namespace galaxy
 {
@@ -17,13 +18,13 @@ namespace galaxy
 ///
 /// All are kept from minimum to maximum, and positive whatever the input: a particle without light,
 /// or one with no other apart from it, gets the minimum, at least 1e-9 kpc. Throws Error naming the
-/// parameter that is out of range.
+/// parameter that is out of range, Aborted where `progress` ends it, which only Neighbours asks.
 void smoothingLengths(const float* position, const float* intensity, std::size_t count,
-  const SmoothingDescription& smoothing, float* h);
+  const SmoothingDescription& smoothing, float* h, const Progress& progress = {});
 
 /// The same for the particles first to last - 1, all of one component.
-void setSmoothingLengths(
-  Particles& particles, std::size_t first, std::size_t last, const SmoothingDescription& smoothing);
+void setSmoothingLengths(Particles& particles, std::size_t first, std::size_t last,
+  const SmoothingDescription& smoothing, const Progress& progress = {});
 } // namespace galaxy
 
 #endif

@@ -1,6 +1,6 @@
+#include "Filters/Model/WorkProgress.h"
 #include "Filters/Splatting/DepthOrder.h"
 #include "Filters/Splatting/Picture.h"
-#include "Filters/Splatting/RenderProgress.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TilePieces.h"
 #include "Filters/Splatting/TileSummary.h"
@@ -78,7 +78,7 @@ private:
   OrderNeeds tiles;
   ErrorBound bound;
   float thickest = 0;
-  RenderProgress progress;
+  WorkProgress progress;
   double seconds[4] = { 0, 0, 0, 0 }; ///< count, project, sort, composite
 };
 

@@ -296,7 +296,7 @@ RenderedImage renderOverlapping(
   const double start = omp_get_wtime();
   const Projection projection(particles, camera);
   RenderMemory own;
-  RenderProgress progress(options.progress);
+  WorkProgress progress(options.progress);
   const TileDealer dealer(projection, camera, options.memory ? *options.memory : own, progress);
   const TileGrid& grid = dealer.grid();
   ProjectionCounts counts = dealer.missing();

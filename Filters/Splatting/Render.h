@@ -3,11 +3,11 @@
 
 #include "Filters/Model/Particles.h"
 #include "Filters/Splatting/Camera.h"
+#include "Readers/Formats/Progress.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,8 +77,7 @@ struct RenderOptions
   /// Kept from picture to picture, it saves what asking the system for memory costs. Null: asked
   /// for anew.
   RenderMemory* memory = nullptr;
-  /// Called from the calling thread with the fraction done; returning false aborts the rendering.
-  std::function<bool(double)> progress;
+  Progress progress; ///< what it ends leaves an empty picture
 };
 
 /// What a rendering did and what it cost.

@@ -230,7 +230,7 @@ private:
 };
 
 TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, RenderMemory& memory_,
-  RenderProgress& progress_)
+  WorkProgress& progress_)
   : projection(projection_)
   , camera(camera_)
   , tiles(camera_.width, camera_.height)

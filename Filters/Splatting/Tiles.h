@@ -1,9 +1,9 @@
 #ifndef galaxy_Tiles_h
 #define galaxy_Tiles_h
 
+#include "Filters/Model/WorkProgress.h"
 #include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/Projection.h"
-#include "Filters/Splatting/RenderProgress.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/SplatMemory.h"
 #include "Filters/Splatting/TileGrid.h"
@@ -38,7 +38,7 @@ public:
   /// Projects every particle and counts the splats of every tile. Throws Error if there are more
   /// particles than 32 bits can number. Where the picture is aborted there are no bands.
   TileDealer(const Projection& projection, const Camera& camera, RenderMemory& memory,
-    RenderProgress& progress);
+    WorkProgress& progress);
 
   /// How many bands the tiles make, so many that the splats of each fit into memory: with the home
   /// of every particle 16 bytes for each of them, and no less than 64 MB.
@@ -63,7 +63,7 @@ private:
   Camera camera;
   TileGrid tiles;
   RenderMemory& memory;
-  RenderProgress& progress;
+  WorkProgress& progress;
   std::vector<std::vector<std::uint32_t>> counts; ///< by share and tile
   std::vector<std::size_t> totals;                ///< by tile
   std::size_t sum = 0;                            ///< of them

@@ -71,7 +71,7 @@ Image emptyImage(const std::string& file, const FitsHdu& hdu, const FitsPlan& pl
 } // namespace
 
 Image readFitsImage(
-  const std::string& file, const FitsSelection& selection, const FitsProgress& progress)
+  const std::string& file, const FitsSelection& selection, const Progress& progress)
 {
   try
   {

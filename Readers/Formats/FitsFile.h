@@ -1,11 +1,10 @@
 #ifndef galaxy_FitsFile_h
 #define galaxy_FitsFile_h
 
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/Image.h"
+#include "Readers/Formats/Progress.h"
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,26 +29,17 @@ struct FitsSelection
   std::vector<double> maskValues; ///< values that stand for "blank", in the image's own precision
 };
 
-/// Told the part done, 0 to 1; reading ends with Aborted where it returns false.
-using FitsProgress = std::function<bool(double)>;
-
-/// Reading was ended by its FitsProgress.
-class Aborted : public Error
-{
-public:
-  using Error::Error;
-};
-
 /// Reads one image: every BITPIX, BSCALE/BZERO applied, compressed or not; NaN where it is BLANK,
 /// infinite, or one of the mask values. In a mean and an integral, blank pixels are left out; where
 /// all are blank the image is.
+/// `progress` is told the part read; Aborted is thrown where it ends the reading.
 /// The path is taken literally (no extended file name syntax).
 /// Throws Error naming the file and the keyword or CFITSIO's own messages. Nothing is allocated for
 /// a header that promises more than the file holds (see findFitsImage), or for an image that, with
 /// what reading it takes, is more than half of the machine's memory; nor is more unpacked of a
 /// gzipped file.
 Image readFitsImage(
-  const std::string& file, const FitsSelection& selection = {}, const FitsProgress& progress = {});
+  const std::string& file, const FitsSelection& selection = {}, const Progress& progress = {});
 } // namespace galaxy
 
 #endif

@@ -85,7 +85,7 @@ private:
 class SlabSum
 {
 public:
-  SlabSum(PixelSource& source, const FitsPlan& plan, const FitsProgress& progress, Image& image)
+  SlabSum(PixelSource& source, const FitsPlan& plan, const Progress& progress, Image& image)
     : source(source)
     , plan(plan)
     , progress(progress)
@@ -189,7 +189,7 @@ private:
 
   PixelSource& source;
   const FitsPlan& plan;
-  const FitsProgress& progress;
+  const Progress& progress;
   Image& image;
   const std::size_t x;
   const std::size_t y;
@@ -200,7 +200,7 @@ private:
 } // namespace
 
 void readPixels(const FitsHandle& fits, const FitsHdu& hdu, const FitsPlan& plan,
-  const std::vector<double>& maskValues, const FitsProgress& progress, Image& image)
+  const std::vector<double>& maskValues, const Progress& progress, Image& image)
 {
   PixelSource source(fits, hdu, maskValues);
   SlabSum(source, plan, progress, image).run();

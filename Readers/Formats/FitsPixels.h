@@ -10,7 +10,7 @@ namespace galaxy
 /// Fills `image.values` by the plan, a chunk of pixels after the other in the file's order.
 /// Throws Error where CFITSIO fails, Aborted where `progress` says so.
 void readPixels(const FitsHandle& fits, const FitsHdu& hdu, const FitsPlan& plan,
-  const std::vector<double>& maskValues, const FitsProgress& progress, Image& image);
+  const std::vector<double>& maskValues, const Progress& progress, Image& image);
 } // namespace galaxy
 
 #endif

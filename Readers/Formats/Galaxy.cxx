@@ -5,11 +5,12 @@
 
 namespace galaxy
 {
-Galaxy readGalaxy(const std::string& file)
+Galaxy readGalaxy(const std::string& file, const Progress& progress)
 {
   Galaxy galaxy;
   galaxy.description = readGalaxyDescription(file);
   galaxy.rings = readRings(galaxy.description);
+  const double count = static_cast<double>(galaxy.description.images.size());
   for (const ImageDescription& image : galaxy.description.images)
   {
     if (!image.combine.empty())
@@ -17,7 +18,9 @@ Galaxy readGalaxy(const std::string& file)
       galaxy.images.emplace_back();
       continue;
     }
-    galaxy.images.push_back(readFitsImage(besideFile(file, image.file), image.selection));
+    const double done = static_cast<double>(galaxy.images.size());
+    galaxy.images.push_back(readFitsImage(besideFile(file, image.file), image.selection,
+      partOf(progress, done / count, (done + 1) / count)));
     markBadPixels(image, file, galaxy.images.back());
     convertBrightness(image, galaxy.images.back());
   }

@@ -3,6 +3,7 @@
 
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/Image.h"
+#include "Readers/Formats/Progress.h"
 #include "Readers/Formats/RingTable.h"
 
 #include <string>
@@ -20,8 +21,9 @@ struct Galaxy
   std::vector<Image> images;
 };
 
-/// Reads a .galaxy file with its rings and images. Throws Error naming the file at fault.
-Galaxy readGalaxy(const std::string& file);
+/// Reads a .galaxy file with its rings and images. Throws Error naming the file at fault, Aborted
+/// where `progress` ends it.
+Galaxy readGalaxy(const std::string& file, const Progress& progress = {});
 } // namespace galaxy
 
 #endif
