@@ -66,15 +66,22 @@ Camera cameraOf(vtkRenderer* renderer)
   camera.eye = (-t.x) * camera.right + (-t.y) * camera.up + t.z * camera.forward;
   camera.parallel = source->GetParallelProjection() != 0;
   camera.scale = 0.5 * height * P->GetElement(1, 1);
-  const int column = camera.parallel ? 3 : 2;
+  // One column of the projection moves the whole picture, the other what an eye beside the middle
+  // sees: that eye stands aside, or looks aslant where the projection is parallel.
+  const int whole = camera.parallel ? 3 : 2, eye = camera.parallel ? 2 : 3;
   const double sign = camera.parallel ? 1 : -1;
-  camera.centerX = 0.5 * width * (1 + sign * P->GetElement(0, column));
-  camera.centerY = 0.5 * height * (1 + sign * P->GetElement(1, column));
-  if (!camera.parallel)
+  camera.centerX = 0.5 * width * (1 + sign * P->GetElement(0, whole));
+  camera.centerY = 0.5 * height * (1 + sign * P->GetElement(1, whole));
+  const double x = P->GetElement(0, eye) / P->GetElement(0, 0);
+  const double y = P->GetElement(1, eye) / P->GetElement(1, 1);
+  if (camera.parallel)
   {
-    // Each of two eyes is moved aside by the projection.
-    camera.eye = camera.eye - (P->GetElement(0, 3) / P->GetElement(0, 0)) * camera.right -
-      (P->GetElement(1, 3) / P->GetElement(1, 1)) * camera.up;
+    camera.right = camera.right - x * camera.forward;
+    camera.up = camera.up - y * camera.forward;
+  }
+  else
+  {
+    camera.eye = camera.eye - x * camera.right - y * camera.up;
   }
   return camera;
 }

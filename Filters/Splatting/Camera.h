@@ -10,7 +10,7 @@ namespace galaxy
 struct Camera
 {
   Vec3 eye;                 ///< kpc
-  Vec3 right{ 1, 0, 0 };    ///< orthonormal: image +x
+  Vec3 right{ 1, 0, 0 };    ///< image +x; orthonormal but in an oblique parallel projection
   Vec3 up{ 0, 1, 0 };       ///< image +y
   Vec3 forward{ 0, 0, -1 }; ///< into the scene
   bool parallel = false;

@@ -1,11 +1,9 @@
 """The representation Splats in a render view, beside other things. Needs a display."""
-import os
 import re
 import unittest
 
 import numpy as np
 from paraview import simple
-from PIL import Image
 
 import galaxy_testing as gt
 from view_testing import G0, H, SIZE, ViewTest
@@ -36,10 +34,7 @@ class View(ViewTest):
         self.show(self.emitter(color=(1, 0, 0)))
         ball = simple.Sphere(Center=[0, 0, z_sphere], Radius=0.3, ThetaResolution=64,
                              PhiResolution=64)
-        display = simple.Show(ball, self.view)
-        display.DiffuseColor = [0, 0, 1]
-        display.Ambient, display.Diffuse, display.AmbientColor = 1.0, 0.0, [0, 0, 1]
-        self.keep_camera()
+        self.show_flat(ball, [0, 0, 1])
         return ball
 
     def test_opaque_geometry_hides_what_is_behind_it(self):
@@ -63,32 +58,28 @@ class View(ViewTest):
 
     def test_stereo_is_that_of_geometry(self):
         """A particle and a ball in the same place, by each eye seen in the same place."""
-        self.view.CameraParallelProjection = 0
-        places = {}
-        for z in (-6, 2):
-            source = gt.particles([[0, 0, z]], [0.3], Emission=np.ones((1, 3), dtype=np.float32))
-            ball = simple.Sphere(Center=[0, 0, z], Radius=0.1, ThetaResolution=32,
-                                 PhiResolution=32)
-            for thing in (source, ball):
-                display = simple.Show(thing, self.view)
-                if thing is source:
-                    display.Representation, display.Exposure = "Splats", 10
-                else:
-                    display.Ambient, display.Diffuse = 1.0, 0.0
-                self.keep_camera()
-                simple.SetActiveView(self.view)
-                path = os.path.join(gt.output_folder(), f"stereo-{os.getpid()}.png")
-                for _ in range(2):  # VTK's first picture in stereo has one eye in the middle
-                    simple.SaveScreenshot(path, self.view, ImageResolution=[SIZE, SIZE],
-                                          StereoMode="Red-Blue")
-                with Image.open(path) as image:
-                    picture = np.asarray(image.convert("RGB"), dtype=float)
-                places[thing is source] = [
-                    (picture[..., c].sum(axis=0) * np.arange(SIZE)).sum() / picture[..., c].sum()
-                    for c in (0, 2)]
-                simple.Hide(thing, self.view)
-            np.testing.assert_allclose(places[True], places[False], atol=0.4)
-            self.assertGreater(abs(places[False][0] - places[False][1]), 2)
+        for parallel in (1, 0):
+            self.view.CameraParallelProjection = parallel
+            for z in (-6, 2):
+                source = gt.particles([[0, 0, z]], [0.3], Emission=np.ones((1, 3), np.float32))
+                ball = simple.Sphere(Center=[0, 0, z], Radius=0.1, ThetaResolution=32,
+                                     PhiResolution=32)
+                self.show(source, Exposure=10)
+                splat = self.by_each_eye(source)
+                self.show_flat(ball, [1, 1, 1])
+                geometry = self.by_each_eye(ball)
+                np.testing.assert_allclose(splat, geometry, atol=0.4)
+                self.assertGreater(abs(geometry[0] - geometry[1]), 2)
+
+    def by_each_eye(self, thing):
+        """The column in which it is seen; it is hidden then."""
+        self.keep_camera()
+        simple.SetActiveView(self.view)
+        for _ in range(2):  # VTK's first picture in stereo has one eye in the middle
+            picture = self.shot(StereoMode="Red-Blue")
+        simple.Hide(thing, self.view)
+        columns = picture.sum(axis=0)
+        return [(columns[:, c] * np.arange(SIZE)).sum() / columns[:, c].sum() for c in (0, 2)]
 
     def test_beside_translucent_geometry_and_lines(self):
         for peeling in (1, 0):
@@ -98,10 +89,7 @@ class View(ViewTest):
     def beside_translucent_geometry_and_lines(self):
         self.show(self.emitter(color=(1, 0, 0)))
         box = simple.Box(XLength=1, YLength=1, ZLength=0.1, Center=[1.0, 0, 0])
-        display = simple.Show(box, self.view)
-        display.Opacity = 0.5
-        display.AmbientColor = display.DiffuseColor = [0, 1, 0]
-        display.Ambient, display.Diffuse = 1.0, 0.0
+        self.show_flat(box, [0, 1, 0]).Opacity = 0.5
         line = simple.Line(Point1=[-1.5, 1.5, 0], Point2=[1.5, 1.5, 0])
         lines = simple.Show(line, self.view)
         lines.LineWidth = 5

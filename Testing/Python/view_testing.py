@@ -31,11 +31,13 @@ class ViewTest(unittest.TestCase):
         self.view.CameraFocalPoint = [0, 0, 0]
         self.view.CameraViewUp = [0, 1, 0]
 
-    def shot(self, size=SIZE):
+    def shot(self, size=SIZE, layout=None, mode="RGB", **options):
+        """A screenshot of the view, or of the layout, of this width and height."""
+        size = [size, size] if isinstance(size, int) else list(size)
         path = os.path.join(gt.output_folder(), f"view-{os.getpid()}.png")
-        simple.SaveScreenshot(path, self.view, ImageResolution=[size, size])
+        simple.SaveScreenshot(path, layout or self.view, ImageResolution=size, **options)
         with Image.open(path) as image:
-            return np.asarray(image.convert("RGB"), dtype=float) / 255
+            return np.asarray(image.convert(mode), dtype=float) / 255
 
     def pixels(self):
         """What the window shows, without rendering it again."""
@@ -56,6 +58,14 @@ class ViewTest(unittest.TestCase):
         display.Exposure = 1 / G0
         for name, value in properties.items():
             setattr(display, name, value)
+        return display
+
+    def show_flat(self, source, color):
+        """Geometry in this very colour, however it is lit."""
+        display = simple.Show(source, self.view)
+        display.AmbientColor = display.DiffuseColor = color
+        display.Ambient, display.Diffuse = 1.0, 0.0
+        self.keep_camera()
         return display
 
     def show_many(self, count):
