@@ -4,7 +4,8 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
-#include "vtkRenderWindow.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -15,32 +16,41 @@ namespace galaxy
 {
 namespace
 {
+/// Whether it draws into the window's own buffer: passes of a view that map its tones or sample it
+/// more finely have buffers of their own.
+bool drawsIntoWindow(vtkRenderer* renderer)
+{
+  auto window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  return window && static_cast<GLint>(window->GetRenderFramebuffer()->GetFBOIndex()) == bound;
+}
+
 /// The depth buffer of the part of the window that the renderer draws, in [0, 1].
 std::vector<float> readDepthBuffer(vtkRenderer* renderer)
 {
   int size[2], origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   std::vector<float> depth(static_cast<std::size_t>(size[0]) * size[1]);
-  int viewport[4];
-  glGetIntegerv(GL_VIEWPORT, viewport);
-  if (viewport[2] == size[0] && viewport[3] == size[1])
+  if (drawsIntoWindow(renderer))
   {
     renderer->GetRenderWindow()->GetZbufferData(
       origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, depth.data());
     return depth;
   }
-  // A supersampling pass draws into a larger buffer of its own.
-  std::vector<float> large(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+  int viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  std::vector<float> other(static_cast<std::size_t>(viewport[2]) * viewport[3]);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(
-    viewport[0], viewport[1], viewport[2], viewport[3], GL_DEPTH_COMPONENT, GL_FLOAT, large.data());
+    viewport[0], viewport[1], viewport[2], viewport[3], GL_DEPTH_COMPONENT, GL_FLOAT, other.data());
   for (int y = 0; y < size[1]; ++y)
   {
     const std::size_t row = static_cast<std::size_t>((y + 0.5) * viewport[3] / size[1]);
     for (int x = 0; x < size[0]; ++x)
     {
       const std::size_t column = static_cast<std::size_t>((x + 0.5) * viewport[2] / size[0]);
-      depth[static_cast<std::size_t>(y) * size[0] + x] = large[row * viewport[2] + column];
+      depth[static_cast<std::size_t>(y) * size[0] + x] = other[row * viewport[2] + column];
     }
   }
   return depth;
