@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -48,6 +49,26 @@ void toFieldData(const std::vector<ComponentInfo>& components, vtkFieldData* fie
   fields->AddArray(brightness);
 }
 
+/// The largest of any particle, with the settings' size factors, kpc.
+double largestSmoothingLength(vtkPolyData* particles, vtkSplatSettings& settings)
+{
+  vtkDataArray* h = particles->GetPointData()->GetArray("SmoothingLength");
+  if (!h)
+  {
+    return 0;
+  }
+  std::vector<ComponentInfo> components = toComponents(particles->GetFieldData());
+  std::vector<bool> visible;
+  settings.Apply(components, visible);
+  double factor = 0;
+  for (const ComponentInfo& component : components)
+  {
+    factor = std::max(factor, component.size);
+  }
+  double range[2];
+  h->GetFiniteRange(range);
+  return std::max(0.0, factor * range[1]);
+}
 }
 
 std::vector<ComponentInfo> toComponents(vtkFieldData* fields)
@@ -129,24 +150,19 @@ bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleI
   return input.problem.empty();
 }
 
-double largestSmoothingLength(vtkPolyData* particles, vtkSplatSettings& settings)
+void boundsOfKernels(vtkPolyData* particles, vtkSplatSettings& settings, double bounds[6])
 {
-  vtkDataArray* h = particles->GetPointData()->GetArray("SmoothingLength");
-  if (!h)
+  vtkMath::UninitializeBounds(bounds);
+  if (particles && particles->GetNumberOfPoints() > 0)
   {
-    return 0;
+    particles->GetBounds(bounds);
+    const double h = largestSmoothingLength(particles, settings);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] -= h;
+      bounds[2 * axis + 1] += h;
+    }
   }
-  std::vector<ComponentInfo> components = toComponents(particles->GetFieldData());
-  std::vector<bool> visible;
-  settings.Apply(components, visible);
-  double factor = 0;
-  for (const ComponentInfo& component : components)
-  {
-    factor = std::max(factor, component.size);
-  }
-  double range[2];
-  h->GetFiniteRange(range);
-  return std::max(0.0, factor * range[1]);
 }
 
 RenderOptions renderOptions(vtkSplatSettings& settings)

@@ -41,8 +41,9 @@ struct ParticleInput
 /// `problem` said, where an array is missing or does not fit; `input` must outlive the view.
 bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleInput& input);
 
-/// The largest smoothing length among the particles, kpc, with the settings' size factors.
-double largestSmoothingLength(vtkPolyData* particles, vtkSplatSettings& settings);
+/// Bounds of the particles with their kernels, kpc, with the settings' size factors; uninitialized
+/// where there are none.
+void boundsOfKernels(vtkPolyData* particles, vtkSplatSettings& settings, double bounds[6]);
 
 /// The engine's options for the settings.
 RenderOptions renderOptions(vtkSplatSettings& settings);

@@ -95,18 +95,8 @@ double* vtkSplatProp::GetBounds()
   if (time != this->BoundsTime)
   {
     this->BoundsTime = time;
-    vtkMath::UninitializeBounds(this->Bounds);
-    if (this->Particles && this->Particles->GetNumberOfPoints() > 0)
-    {
-      // With their kernels: a renderer culls what lies outside its frustum, also of a tile.
-      this->Particles->GetBounds(this->Bounds);
-      const double h = galaxy::largestSmoothingLength(this->Particles, *this->Settings);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->Bounds[2 * axis] -= h;
-        this->Bounds[2 * axis + 1] += h;
-      }
-    }
+    // With their kernels: a renderer culls what lies outside its frustum, also of a tile.
+    galaxy::boundsOfKernels(this->Particles, *this->Settings, this->Bounds);
   }
   return this->Bounds;
 }
@@ -140,7 +130,8 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
 {
   vtkRenderer* renderer = vtkRenderer::SafeDownCast(viewport);
   auto window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow()) : nullptr;
-  if (!window)
+  // A selector tells by their colours what it has drawn.
+  if (!window || renderer->GetSelector())
   {
     return 0;
   }

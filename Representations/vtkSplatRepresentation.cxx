@@ -1,5 +1,7 @@
 #include "vtkSplatRepresentation.h"
 
+#include "Filters/ParticleData.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -82,7 +84,7 @@ int vtkSplatRepresentation::ProcessViewRequest(
     vtkPVView::SetPiece(inInfo, this, this->Particles);
     vtkPVRenderView::SetStreamable(inInfo, this, true);
     double bounds[6];
-    this->Particles->GetBounds(bounds);
+    galaxy::boundsOfKernels(this->Particles, *this->Settings, bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
