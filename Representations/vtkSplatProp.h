@@ -10,7 +10,7 @@
  * and can be aborted by its observers; what only betters a picture that is there stops where the
  * window's vtkCommand::AbortCheckEvent says so. Drawn in the overlay stage, so that it neither
  * enters nor disturbs depth peeling; opaque geometry hides the particles behind it through the
- * depth buffer.
+ * depth buffer, and what is translucent is seen behind all particles.
  */
 #ifndef vtkSplatProp_h
 #define vtkSplatProp_h

@@ -79,12 +79,14 @@ class Messages:
 
 
 def splat(source, size=64, **camera):
-    """Radiance and transmittance (rows from the bottom up) of a SplatImage of `source`."""
-    picture = simple.SplatImage(Input=source, ImageSize=[size, size], **camera)
+    """Radiance and transmittance (rows from the bottom up) of a SplatImage of `source`, of this
+    width and height."""
+    width, height = (size, size) if isinstance(size, int) else size
+    picture = simple.SplatImage(Input=source, ImageSize=[width, height], **camera)
     picture.UpdatePipeline()
     data = servermanager.Fetch(picture).GetPointData()
     result = tuple(
-        vtk_to_numpy(data.GetArray(name)).reshape(size, size, 3).copy()
+        vtk_to_numpy(data.GetArray(name)).reshape(height, width, 3).copy()
         for name in ("Radiance", "Transmittance")
     )
     picture.UpdatePropertyInformation()
