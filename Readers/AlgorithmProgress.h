@@ -7,8 +7,8 @@
 
 namespace galaxy
 {
-/// Passes the progress of VTK-free work that begins on as that of the algorithm, which can be told to
-/// abort it.
+/// Passes the progress of VTK-free work that begins on as that of the algorithm, which can be told
+/// to abort it.
 inline Progress progressOf(vtkAlgorithm* self)
 {
   self->SetAbortExecute(0); // what was aborted before has ended

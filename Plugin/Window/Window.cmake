@@ -13,6 +13,10 @@ paraview_plugin_add_auto_start(
   CLASS_NAME pqGalaxyOpening
   INTERFACES opening_interface
   SOURCES opening_sources)
+paraview_plugin_add_auto_start(
+  CLASS_NAME pqGalaxyAbort
+  INTERFACES abort_interface
+  SOURCES abort_sources)
 paraview_plugin_add_property_widget(
   KIND GROUP_WIDGET
   TYPE "GalaxyComponents"
@@ -21,9 +25,11 @@ paraview_plugin_add_property_widget(
   SOURCES table_sources)
 
 set(window_interfaces
-  ${menu_interface} ${toolbar_interface} ${opening_interface} ${table_interface})
+  ${menu_interface} ${toolbar_interface} ${opening_interface} ${abort_interface}
+  ${table_interface})
 set(window_sources
-  ${menu_sources} ${toolbar_sources} ${opening_sources} ${table_sources}
+  ${menu_sources} ${toolbar_sources} ${opening_sources} ${abort_sources}
+  ${table_sources}
   Window/ActiveGalaxy.cxx
   Window/ComponentFactors.cxx
   Window/ComponentRow.cxx
@@ -33,6 +39,10 @@ set(window_sources
   Window/PluginProxies.cxx
   Window/pqComponentTableWidget.cxx
   Window/pqComponentTableWidget.h
+  Window/WaitingInput.cxx
+  Window/WaitingInput.h
+  Window/pqGalaxyAbort.cxx
+  Window/pqGalaxyAbort.h
   Window/pqGalaxyCameraReaction.cxx
   Window/pqGalaxyCameraReaction.h
   Window/pqGalaxyMenu.cxx

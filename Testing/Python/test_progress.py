@@ -69,13 +69,12 @@ class Progress(unittest.TestCase):
 
     def test_what_is_stopped_says_nothing_and_has_no_data(self):
         for name, make in MAKERS.items():
-            for after in (2, 3):  # the first is VTK's own 0, as the last is VTK's own 1
-                with self.subTest(name, after=after):
-                    proxy = make()
-                    fractions = self.told(proxy, stop_after=after)
-                    self.assertLess(max(fractions[:after]), 1)
-                    self.assertLessEqual(len(fractions), after + 1)
-                    self.assertEqual(proxy.GetDataInformation().GetNumberOfPoints(), 0)
+            with self.subTest(name):
+                proxy = make()
+                fractions = self.told(proxy, stop_after=2)  # the first is VTK's own 0
+                self.assertLess(max(fractions[:2]), 1)
+                self.assertLessEqual(len(fractions), 3)  # and the last VTK's own 1
+                self.assertEqual(proxy.GetDataInformation().GetNumberOfPoints(), 0)
 
     def test_a_model_that_was_stopped_can_be_built_after_all(self):
         proxy = model()

@@ -1,0 +1,107 @@
+#include "WaitingInput.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QResizeEvent>
+#include <QWheelEvent>
+#include <QWidget>
+#include <QWindow>
+
+#include <algorithm>
+
+namespace
+{
+std::unique_ptr<QEvent> copyOf(QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+      return std::make_unique<QMouseEvent>(*static_cast<QMouseEvent*>(event));
+    case QEvent::Wheel:
+      return std::make_unique<QWheelEvent>(*static_cast<QWheelEvent*>(event));
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+      return std::make_unique<QKeyEvent>(*static_cast<QKeyEvent*>(event));
+    case QEvent::Resize:
+      return std::make_unique<QResizeEvent>(*static_cast<QResizeEvent*>(event));
+    case QEvent::Close:
+      return std::make_unique<QEvent>(QEvent::Close);
+    default:
+      return nullptr;
+  }
+}
+
+bool isOn(QWidget* button, const QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseMove:
+      break;
+    default:
+      return false;
+  }
+  const QPoint place = static_cast<const QMouseEvent*>(event)->globalPos();
+  return button && button->isVisible() && button->rect().contains(button->mapFromGlobal(place));
+}
+}
+
+WaitingInput::WaitingInput(QObject* parent)
+  : QObject(parent)
+{
+}
+
+WaitingInput::~WaitingInput() = default;
+
+void WaitingInput::answer(QWidget* button)
+{
+  this->Button = button;
+  QApplication::instance()->installEventFilter(this);
+  QApplication::processEvents(QEventLoop::ExcludeSocketNotifiers);
+  QApplication::instance()->removeEventFilter(this);
+}
+
+bool WaitingInput::eventFilter(QObject* receiver, QEvent* event)
+{
+  if (event->type() == QEvent::Timer)
+  {
+    return true; // it comes again
+  }
+  // Windows get what the user does first, and pass it on to their widgets.
+  if (!receiver->isWindowType() || !event->spontaneous() || isOn(this->Button, event))
+  {
+    return false;
+  }
+  std::unique_ptr<QEvent> copy = copyOf(event);
+  const bool waits = copy != nullptr;
+  if (waits)
+  {
+    this->Items.push_back({ receiver, std::move(copy) });
+  }
+  return waits;
+}
+
+bool WaitingInput::isWanted() const
+{
+  return std::any_of(this->Items.begin(), this->Items.end(), [](const Item& item) {
+    const QEvent::Type type = item.event->type();
+    return type == QEvent::MouseButtonPress || type == QEvent::Wheel || type == QEvent::KeyPress;
+  });
+}
+
+void WaitingInput::deliver()
+{
+  for (Item& item : this->Items)
+  {
+    if (item.receiver)
+    {
+      QCoreApplication::postEvent(item.receiver, item.event.release());
+    }
+  }
+  this->Items.clear();
+}
