@@ -54,7 +54,8 @@ def field_values(particles, name):
 
 
 def viewpoint(particles, name):
-    """A camera that a GalaxyModel gives with its particles: Earth, FaceOn, EdgeOn or MajorAxis."""
+    """A camera that a GalaxyModel gives with its particles: Earth, FaceOn, EdgeOn or MajorAxis, or
+    Earth:r for the field of the image r."""
     c = field_values(particles, "Camera" + name)
     return {
         "CameraPosition": c[:3],

@@ -2,10 +2,7 @@
 
 #include "Readers/DataObjects.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
 
 namespace galaxy
 {
@@ -31,17 +28,10 @@ void toFieldData(const Outlook& outlook, vtkFieldData* fields)
   addViewpoint(fields, "CameraMajorAxis", majorAxisView(outlook));
   addDirection(fields, "DiskNormal", outlook.normal);
   addDirection(fields, "MajorAxis", outlook.majorAxis);
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkDoubleArray> halfSizes;
-  names->SetName("ImageName");
-  halfSizes->SetName("ImageHalfSize");
   for (const ImageField& field : outlook.fields)
   {
-    names->InsertNextValue(field.image);
-    halfSizes->InsertNextValue(field.halfSize);
+    addViewpoint(fields, ("CameraEarth:" + field.image).c_str(), field.view);
   }
-  fields->AddArray(names);
-  fields->AddArray(halfSizes);
 }
 
 void toFieldData(double distance, double halfSize, vtkFieldData* fields)

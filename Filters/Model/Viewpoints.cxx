@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
 
 namespace galaxy
 {
@@ -15,42 +18,81 @@ namespace
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double nearViewAngle = 30; // ParaView's own
 
-/// The corners and the middles of the edges of an image; 0 where none has a place on the sky.
-double halfSizeOf(const Image& image, const ImageDescription& description, const SkyFrame& frame)
+/// Where a place of an image, from (0, 0) at its lower left corner to (1, 1), is seen in the plane
+/// Z = 0; none where that is not before the observer.
+using Place = std::function<std::optional<Vec3>(double u, double v)>;
+
+Place placeOf(const Image& image, const ImageDescription& description, const SkyFrame& frame)
 {
-  const WorldCoordinates coordinates = coordinatesOf(image, description);
+  const auto coordinates =
+    std::make_shared<const WorldCoordinates>(coordinatesOf(image, description));
+  const double width = image.width, height = image.height;
+  return [=](double u, double v) -> std::optional<Vec3> {
+    SkyPosition sky;
+    double x = 0, y = 0;
+    if (coordinates->pixelToSky({ 0.5 + u * width, 0.5 + v * height }, sky) &&
+      frame.skyToPlane(sky, x, y) && std::isfinite(x) && std::isfinite(y))
+    {
+      return Vec3{ x, y, 0 };
+    }
+    return std::nullopt;
+  };
+}
+
+/// To the farthest of the corners and the middles of the edges.
+double halfSizeOf(const Place& place)
+{
   double halfSize = 0;
   for (const double u : { 0.0, 0.5, 1.0 })
   {
     for (const double v : { 0.0, 0.5, 1.0 })
     {
-      SkyPosition sky;
-      double x = 0, y = 0;
-      if (coordinates.pixelToSky({ 0.5 + u * image.width, 0.5 + v * image.height }, sky) &&
-        frame.skyToPlane(sky, x, y))
+      if (const std::optional<Vec3> p = place(u, v))
       {
-        halfSize = std::max({ halfSize, std::abs(x), std::abs(y) });
+        halfSize = std::max({ halfSize, std::abs(p->x), std::abs(p->y) });
       }
     }
   }
   return halfSize;
 }
 
+/// From the observer's place onto the middle of an image, up from the middle of its lower edge to
+/// that of its upper one. A camera cannot mirror: an image whose East is to the right of its North
+/// is seen as the sky is.
+std::optional<Viewpoint> imageView(const Place& place, double distance)
+{
+  const auto lower = place(0.5, 0), middle = place(0.5, 0.5), upper = place(0.5, 1);
+  if (!lower || !middle || !upper)
+  {
+    return std::nullopt;
+  }
+  const Vec3 eye{ 0, 0, distance };
+  const Vec3 forward = normalized(*middle - eye);
+  const Vec3 right = normalized(cross(forward, *upper - *lower));
+  const Vec3 up = cross(right, forward);
+  const auto tangent = [&](const Vec3& p) { return dot(p - eye, up) / dot(p - eye, forward); };
+  const double halfHeight = 0.5 * (tangent(*upper) - tangent(*lower));
+  return Viewpoint{ eye, *middle, up, 2 * std::atan(halfHeight) / degree };
+}
+
 std::vector<ImageField> fieldsOf(const Galaxy& galaxy)
 {
-  const SkyFrame frame(galaxy.description.centre, galaxy.description.distance);
+  const double distance = galaxy.description.distance;
+  const SkyFrame frame(galaxy.description.centre, distance);
   std::vector<ImageField> fields;
   for (std::size_t k = 0; k < galaxy.images.size(); ++k)
   {
     const ImageDescription& description = galaxy.description.images[k];
+    if (galaxy.images[k].values.empty())
+    {
+      continue; // combined of others
+    }
     try
     {
-      // One that is combined of others is empty here.
-      const double halfSize =
-        galaxy.images[k].values.empty() ? 0 : halfSizeOf(galaxy.images[k], description, frame);
-      if (halfSize > 0 && std::isfinite(halfSize))
+      const Place place = placeOf(galaxy.images[k], description, frame);
+      if (const std::optional<Viewpoint> view = imageView(place, 1000 * distance))
       {
-        fields.push_back({ description.name, halfSize });
+        fields.push_back({ description.name, halfSizeOf(place), *view });
       }
     }
     catch (const Error&)

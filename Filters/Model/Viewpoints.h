@@ -19,11 +19,12 @@ struct Viewpoint
   double viewAngle = 30; ///< degrees, from the lower to the upper edge
 };
 
-/// How far an image reaches from the galaxy's centre, to the West, East, North or South, kpc.
+/// How an image lies before the observer.
 struct ImageField
 {
   std::string image;
-  double halfSize = 0;
+  double halfSize = 0; ///< kpc from the galaxy's centre to the West, East, North or South
+  Viewpoint view;      ///< from Earth: the image's height fills the view's, and its +y is up
 };
 
 /// What is known of how a galaxy lies before its observer.

@@ -16,7 +16,17 @@ namespace galaxy
 {
 namespace
 {
-bool hasField(pqOutputPort* port, const char* name)
+const char imagePrefix[] = "CameraEarth:";
+
+/// What was never applied has no data, and must not be made to read any: null.
+vtkPVDataSetAttributesInformation* fieldsOf(pqOutputPort* port)
+{
+  return port->getSource()->modifiedState() == pqProxy::UNINITIALIZED
+    ? nullptr
+    : port->getDataInformation()->GetFieldDataInformation();
+}
+
+bool hasField(pqOutputPort* port, const QString& name)
 {
   return port && !fieldNumbers(port, name).empty();
 }
@@ -38,15 +48,11 @@ QList<pqOutputPort*> visiblePorts(pqView* view)
 }
 }
 
-std::vector<double> fieldNumbers(pqOutputPort* port, const char* name)
+std::vector<double> fieldNumbers(pqOutputPort* port, const QString& name)
 {
-  // What was never applied has no data, and must not be made to read any.
-  if (port->getSource()->modifiedState() == pqProxy::UNINITIALIZED)
-  {
-    return {};
-  }
+  vtkPVDataSetAttributesInformation* fields = fieldsOf(port);
   vtkPVArrayInformation* array =
-    port->getDataInformation()->GetFieldDataInformation()->GetArrayInformation(name);
+    fields ? fields->GetArrayInformation(name.toUtf8().data()) : nullptr;
   std::vector<double> numbers;
   if (array && array->GetNumberOfTuples() > 0)
   {
@@ -58,7 +64,27 @@ std::vector<double> fieldNumbers(pqOutputPort* port, const char* name)
   return numbers;
 }
 
-pqOutputPort* portWithField(pqView* view, const char* name)
+QStringList imagesWithCamera(pqOutputPort* port)
+{
+  vtkPVDataSetAttributesInformation* fields = fieldsOf(port);
+  QStringList images;
+  for (int k = 0; fields && k < fields->GetNumberOfArrays(); ++k)
+  {
+    const QString name = fields->GetArrayInformation(k)->GetName();
+    if (name.startsWith(imagePrefix))
+    {
+      images.append(name.mid(int(qstrlen(imagePrefix))));
+    }
+  }
+  return images;
+}
+
+QString imageCamera(const QString& image)
+{
+  return imagePrefix + image;
+}
+
+pqOutputPort* portWithField(pqView* view, const QString& name)
 {
   QList<pqOutputPort*> candidates;
   if (pqPipelineSource* source = pqActiveObjects::instance().activeSource())
@@ -79,6 +105,15 @@ pqOutputPort* portWithField(pqView* view, const char* name)
     }
   }
   return nullptr;
+}
+
+void followActive(QObject* receiver, const std::function<void()>& update)
+{
+  pqActiveObjects* active = &pqActiveObjects::instance();
+  QObject::connect(active, &pqActiveObjects::viewChanged, receiver, update);
+  QObject::connect(active, &pqActiveObjects::portChanged, receiver, update);
+  QObject::connect(active, &pqActiveObjects::dataUpdated, receiver, update);
+  QObject::connect(active, &pqActiveObjects::viewUpdated, receiver, update);
 }
 
 bool showsOthers(pqView* view, const pqOutputPort* port)

@@ -11,7 +11,7 @@ namespace galaxy
 {
 /// Opens a .galaxy or .galaxygroup file through ParaView's file dialog.
 QAction* openAction(QObject* parent);
-/// The four cameras.
+/// The four cameras, that from Earth first.
 QList<QAction*> cameraActions(QObject* parent);
 }
 

@@ -45,6 +45,8 @@ set(window_sources
   Window/pqGalaxyAbort.h
   Window/pqGalaxyCameraReaction.cxx
   Window/pqGalaxyCameraReaction.h
+  Window/pqGalaxyImageMenu.cxx
+  Window/pqGalaxyImageMenu.h
   Window/pqGalaxyMenu.cxx
   Window/pqGalaxyMenu.h
   Window/pqGalaxyOpening.cxx

@@ -52,19 +52,11 @@ void setCamera(vtkSMProxy* view, const double* c, double aspect)
 }
 }
 
-pqGalaxyCameraReaction::pqGalaxyCameraReaction(QAction* parent, const char* camera)
+pqGalaxyCameraReaction::pqGalaxyCameraReaction(QAction* parent, const QString& camera)
   : Superclass(parent)
   , Camera(camera)
 {
-  pqActiveObjects* active = &pqActiveObjects::instance();
-  QObject::connect(
-    active, &pqActiveObjects::viewChanged, this, &pqGalaxyCameraReaction::updateEnableState);
-  QObject::connect(
-    active, &pqActiveObjects::portChanged, this, &pqGalaxyCameraReaction::updateEnableState);
-  QObject::connect(
-    active, &pqActiveObjects::dataUpdated, this, &pqGalaxyCameraReaction::updateEnableState);
-  QObject::connect(
-    active, &pqActiveObjects::viewUpdated, this, &pqGalaxyCameraReaction::updateEnableState);
+  galaxy::followActive(this, [this] { this->updateEnableState(); });
   this->updateEnableState();
 }
 
@@ -82,7 +74,7 @@ void pqGalaxyCameraReaction::onTriggered()
   }
 }
 
-void pqGalaxyCameraReaction::look(pqRenderView* view, pqOutputPort* port, const char* camera)
+void pqGalaxyCameraReaction::look(pqRenderView* view, pqOutputPort* port, const QString& camera)
 {
   const std::vector<double> numbers =
     port ? galaxy::fieldNumbers(port, camera) : std::vector<double>();

@@ -10,7 +10,7 @@
 
 #include "pqReaction.h"
 
-#include <QByteArray>
+#include <QString>
 
 class pqOutputPort;
 class pqRenderView;
@@ -22,10 +22,10 @@ class pqGalaxyCameraReaction : public pqReaction
 
 public:
   /// `camera` is the name of the field array.
-  pqGalaxyCameraReaction(QAction* parent, const char* camera);
+  pqGalaxyCameraReaction(QAction* parent, const QString& camera);
 
   /// Looks at what `port` holds from its camera of that name; does nothing where it has none.
-  static void look(pqRenderView* view, pqOutputPort* port, const char* camera);
+  static void look(pqRenderView* view, pqOutputPort* port, const QString& camera);
 
 protected Q_SLOTS:
   void onTriggered() override;
@@ -34,7 +34,7 @@ protected Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqGalaxyCameraReaction)
 
-  QByteArray Camera;
+  QString Camera;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "GalaxyActions.h"
 #include "GalaxyExamples.h"
 #include "PluginProxies.h"
+#include "pqGalaxyImageMenu.h"
 
 #include "pqCoreUtilities.h"
 #include "pqFiltersMenuReaction.h"
@@ -22,8 +23,10 @@ pqGalaxyMenu::pqGalaxyMenu(QObject* parent)
   this->addProxies("Sources", "sources");
   this->addProxies("Filters", "filters");
   this->addSeparator();
-  const QList<QAction*> cameras = galaxy::cameraActions(this);
-  for (QAction* camera : cameras)
+  QWidget* window = pqCoreUtilities::mainWidget(); // the group would take its own children at once
+  QList<QAction*> cameras = galaxy::cameraActions(window);
+  cameras.insert(1, (new pqGalaxyImageMenu(window))->menuAction());
+  for (QAction* camera : qAsConst(cameras))
   {
     this->addAction(camera);
   }

@@ -1,6 +1,7 @@
 #include "pqGalaxyToolBar.h"
 
 #include "GalaxyActions.h"
+#include "pqGalaxyImageMenu.h"
 
 pqGalaxyToolBar::pqGalaxyToolBar(QWidget* parent)
   : Superclass("Galaxy", parent)
@@ -8,5 +9,7 @@ pqGalaxyToolBar::pqGalaxyToolBar(QWidget* parent)
   this->setObjectName("GalaxyToolBar");
   this->addAction(galaxy::openAction(this));
   this->addSeparator();
-  this->addActions(galaxy::cameraActions(this));
+  const QList<QAction*> cameras = galaxy::cameraActions(this);
+  cameras.first()->setMenu(new pqGalaxyImageMenu(this));
+  this->addActions(cameras);
 }

@@ -2,6 +2,7 @@
 
 #include "Filters/Model/RingGeometry.h"
 #include "Filters/Splatting/Camera.h"
+#include "Readers/Formats/SkyFrame.h"
 #include "Testing/Cxx/ModelFixtures.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,43 @@ TEST(Viewpoints, FromEarthTheImageFillsTheView)
   EXPECT_NEAR(seen(earth, { halfSize, 0, 0 }).x, 1, 1e-6);
   EXPECT_NEAR(seen(earth, { 0, halfSize, 0 }).y, 1, 1e-6);
   EXPECT_NEAR(seen(earth, { halfSize, 0, 490 }).x, 1 / 0.9, 1e-6);
+}
+
+TEST(Viewpoints, FromEarthAsAnImageItsPixelsAreTheViews)
+{
+  constexpr double pixel = 4, angle = 35; // arcsec; of +y, North through East, degrees
+  const SkyPosition centre = { m83Centre.ra + 0.05, m83Centre.dec - 0.03 };
+  for (const bool mirrored : { false, true })
+  {
+    Galaxy input = m83;
+    input.images[0].width = 120;
+    input.images[0].height = 80;
+    input.images[0].values.resize(120 * 80);
+    SuppliedCoordinates& coordinates = input.description.images[0].coordinates;
+    coordinates = { centre, { 0, 0 }, pixel, angle, mirrored };
+    const Viewpoint view = outlookOf(input).fields.at(0).view;
+    EXPECT_NEAR(view.viewAngle, 2 * std::atan(40 * pixel / 3600 * degree) / degree, 1e-9);
+    EXPECT_NEAR(length(view.position - Vec3{ 0, 0, 4900 }), 0, 1e-9);
+    // The directions to the image's centre and, a hundredth of a degree from it, to points at the
+    // angle of +y and at right angles to it.
+    const SkyFrame frame(m83Centre, m83Distance), image(centre, m83Distance);
+    const Camera camera = Camera::lookAt(
+      view.position, view.focalPoint, view.viewUp, false, 1, view.viewAngle, 120, 80);
+    const auto place = [&](double toEast, double toNorth) {
+      double x = 0, y = 0;
+      const double step = 4900 * std::tan(0.01 * degree);
+      EXPECT_TRUE(frame.skyToPlane(image.planeToSky(-step * toEast, step * toNorth), x, y));
+      const Vec3 ray = Vec3{ x, y, 0 } - camera.eye;
+      const double depth = dot(ray, camera.forward);
+      return Vec3{ camera.scale * dot(ray, camera.right) / depth,
+        camera.scale * dot(ray, camera.up) / depth, 0 };
+    };
+    const double pixels = std::tan(0.01 * degree) / (pixel / 3600 * degree);
+    const double sine = std::sin(angle * degree), cosine = std::cos(angle * degree);
+    EXPECT_NEAR(length(place(0, 0)), 0, 1e-6);
+    EXPECT_NEAR(length(place(sine, cosine) - Vec3{ 0, pixels, 0 }), 0, 1e-6);
+    EXPECT_NEAR(length(place(-cosine, sine) - Vec3{ pixels, 0, 0 }), 0, 1e-6); // as the sky is
+  }
 }
 
 TEST(Viewpoints, TheDiscIsThatOfTheInnermostRing)

@@ -93,6 +93,8 @@ def clicks(folder, galaxy):
     person.menu("menubar/menu_Edit", "actionEditCameraUndo")
     person.screenshot("undone")
     person.menu("Galaxy", "galaxy-face-on")
+    person.menu("galaxy-earth-as", "galaxy-earth-as-fuv")
+    person.menu("GalaxyToolBar/galaxy-earth-as", "galaxy-earth-as-hi_low")
     return person.save()
 
 
@@ -154,7 +156,8 @@ class GalaxyWindow(unittest.TestCase):
 
     def cameras(self):
         """The names of the cameras that the pictures were drawn with, each as long as it stayed."""
-        known = {name: gp.viewpoint(self.model, name) for name in ("Earth", "FaceOn", "EdgeOn")}
+        known = {name: gp.viewpoint(self.model, name)
+                 for name in ("Earth", "FaceOn", "EdgeOn", "Earth:fuv", "Earth:hi_low")}
         names = []
         for shown in self.notes():
             for name, camera in known.items():
@@ -190,8 +193,9 @@ class GalaxyWindow(unittest.TestCase):
             for v in (x, y))
         self.assertLess(upward, 0.35 * across)
 
-    def test_the_camera_can_be_undone(self):
-        self.assertEqual(self.cameras(), ["Earth", "EdgeOn", "Earth", "FaceOn"])
+    def test_the_cameras_follow_the_buttons_the_menus_and_undo(self):
+        self.assertEqual(
+            self.cameras(), ["Earth", "EdgeOn", "Earth", "FaceOn", "Earth:fuv", "Earth:hi_low"])
         np.testing.assert_allclose(
             self.picture("undone"), self.picture("bright stars"), atol=0.02)
 

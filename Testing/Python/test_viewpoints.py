@@ -2,6 +2,7 @@
 import os
 import re
 import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -9,6 +10,13 @@ from paraview import simple
 
 import galaxy_pictures as gp
 import galaxy_testing as gt
+
+try:
+    from astropy.io import fits
+    from astropy.wcs import WCS
+    from astropy.wcs.utils import pixel_to_pixel
+except ImportError:
+    fits = None
 
 CAMERAS = ("Earth", "FaceOn", "EdgeOn", "MajorAxis")
 SIZE = 200
@@ -69,6 +77,71 @@ class Viewpoints(unittest.TestCase):
         tangent = np.abs(p[:, :2]).max(axis=1) / (eye[2] - p[:, 2])
         edge = np.tan(np.radians(camera["CameraViewAngle"] / 2))
         self.assertAlmostEqual(tangent.max() / edge, 1, delta=1e-6)
+
+
+WIDTH, HEIGHT, PIXEL = 90, 60, 4.0  # the latter in arcsec
+BLOBS = ((20, 15, 3.0), (70, 20, 2.0), (35, 48, 4.0))  # column, row and width, pixels
+
+
+def turned_image(path):
+    """Three blobs, the image's +y 35 degrees from North to East, its reference pixel far from its
+    middle and its middle from the galaxy's. Returns the values and the coordinates."""
+    wcs = WCS(naxis=2)
+    wcs.wcs.ctype = "RA---TAN", "DEC--TAN"
+    wcs.wcs.radesys = "ICRS"
+    wcs.wcs.crval = 204.27, -29.89
+    wcs.wcs.crpix = 15, 70
+    c, s = np.cos(np.radians(35)), np.sin(np.radians(35))
+    wcs.wcs.cd = PIXEL / 3600 * np.array([[-c, s], [s, c]])
+    y, x = np.mgrid[:HEIGHT, :WIDTH]
+    values = sum(np.exp(-((x - column) ** 2 + (y - row) ** 2) / (2 * width**2))
+                 for column, row, width in BLOBS)
+    fits.writeto(path, values.astype(np.float32), wcs.to_header())
+    return values, wcs
+
+
+@unittest.skipUnless(fits, "no astropy here")
+class FromEarthAsAnImage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.values, cls.wcs = turned_image(os.path.join(folder.name, "turned.fits"))
+        path = os.path.join(folder.name, "blobs.galaxy")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("""
+                [galaxy]
+                ra = 204.25383
+                dec = -29.86576
+                distance = 4.9
+                radius = 12
+                [image."wide field"]
+                file = "turned.fits"
+                [[component]]
+                name = "stars"
+                particles = 200000
+                layers = [{ image = "wide field", clip = [0, 1] }]
+                """)
+        model = simple.GalaxyModel(Input=simple.GalaxyReader(FileName=path))
+        picture = simple.SplatImage(Input=model, ImageSize=[WIDTH, HEIGHT],
+                                    **gp.viewpoint(model, "Earth:wide field"))
+        cls.light = gt.array(picture, "Radiance").reshape(HEIGHT, WIDTH, 3).sum(axis=2)
+        cls.saved = os.path.join(folder.name, "picture.fits")
+        simple.SaveData(cls.saved, proxy=picture)
+
+    def test_its_coordinates_are_the_images(self):
+        with fits.open(self.saved) as file:
+            wcs = WCS(file["RADIANCE"].header).celestial
+        x, y = (v.ravel() for v in np.meshgrid([0, WIDTH / 3, WIDTH - 1], [0, HEIGHT - 1]))
+        np.testing.assert_allclose(pixel_to_pixel(self.wcs, wcs, x, y), (x, y), atol=1e-3)
+
+    def test_its_light_is_where_the_images_is(self):
+        self.assertGreater(np.corrcoef(self.light.ravel(), self.values.ravel())[0, 1], 0.999)
+        y, x = np.mgrid[:HEIGHT, :WIDTH]
+        for column, row, width in BLOBS:
+            near = np.hypot(x - column, y - row) < 3 * width
+            for v, place in ((x, column), (y, row)):
+                self.assertAlmostEqual(np.average(v[near], weights=self.light[near]), place, delta=0.01)
 
 
 class ViewpointsOnAServer(unittest.TestCase):
