@@ -40,6 +40,7 @@ void pqGalaxyMenu::addExamples()
     return;
   }
   auto* menu = new QMenu("Examples", pqCoreUtilities::mainWidget());
+  menu->setObjectName("galaxy-examples"); // as tests address it
   for (const galaxy::Example& example : examples)
   {
     const QString file = example.file;

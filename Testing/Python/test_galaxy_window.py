@@ -1,5 +1,5 @@
-"""The window used as a person does: opens a galaxy with File > Open, presses Apply and the plugin's
-buttons, changes its display, saves screenshots.
+"""The window used as a person does: opens galaxies, presses Apply and the plugin's buttons, changes the
+display, saves screenshots and a state and loads it again.
 
 ParaView plays the clicks (--test-script) in one window; the tests look at what it saved. What the
 galaxy must look like is drawn by SplatImage, which shares only the engine with the window.
@@ -25,18 +25,31 @@ MAIN = "pqClientMainWindow/"
 DISPLAY = (MAIN + "propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
            "scrollAreaWidgetContents/DisplayFrame/ProxyPanel/")
 
+# What the display is told before the state is saved.
+RED_STARS = {"ComponentVisibility": ["gas", "0", "dust", "0"], "ComponentBrightness": ["stars", "3"],
+             "ComponentColor": ["stars", "1", "0", "0"]}
 
-def fewer_particles(folder):
+
+def fewer_particles(path):
     """M83 with a twentieth of its particles."""
     with open(gt.M83, encoding="utf-8") as file:
         text = file.read()
     home = os.path.dirname(gt.M83)
     text = re.sub(r'"(images/[^"]*|m83\.rings)"', lambda m: f'"{home}/{m[1]}"', text)
     text = re.sub(r"^particles = (\d+)", lambda m: f"particles = {int(m[1]) // 20}", text, flags=re.M)
-    path = os.path.join(folder, "m83 small.galaxy")
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
     return path
+
+
+def plugin_with_example(folder):
+    """Puts the plugin into a folder, and as its example M83 with fewer particles."""
+    m83 = os.path.join(folder, "Examples", "M83")
+    os.makedirs(m83)
+    fewer_particles(os.path.join(m83, "m83.galaxy"))
+    os.symlink(os.path.join(os.path.dirname(gt.M83), "images"), os.path.join(m83, "images"))
+    os.symlink(os.environ["GALAXY_PLUGIN"], os.path.join(folder, "GalaxyReconstruction.so"))
+    return folder
 
 
 class Clicks:
@@ -46,8 +59,8 @@ class Clicks:
         self.folder = folder
         self.events = []
 
-    def add(self, widget, command, argument=""):
-        self.events.append(f"<pqevent object={quoteattr(MAIN + widget)} "
+    def add(self, widget, command, argument="", window=MAIN):
+        self.events.append(f"<pqevent object={quoteattr(window + widget)} "
                            f'command="{command}" arguments={quoteattr(argument)}/>')
 
     def menu(self, menu, action):
@@ -55,17 +68,44 @@ class Clicks:
 
     def open(self, path):
         self.menu("menubar/menu_File", "actionFileOpen")
-        self.add("FileOpenDialog", "filesSelected", path)
+        self.files("FileOpenDialog", path)
 
     def button(self, name):
         self.add(name, "activate")
 
+    def files(self, dialog, path):
+        self.add(dialog, "filesSelected", path)
+
     def display(self, name, command, argument):
         self.add(DISPLAY[len(MAIN):] + name, command, argument)
 
+    def color(self, name, rgb):
+        button = DISPLAY[len(MAIN):] + name
+        self.button(button)
+        self.add(button + "/1QColorDialog0", "setChosenColor", rgb)
+        self.add(button + "/1QColorDialog0", "done", "1")
+
+    def eye(self, place):
+        """Clicks into the pipeline browser: `place` is a row and column of each level."""
+        for command in ("mousePress", "mouseRelease"):
+            self.add("pipelineBrowserDock/pipelineBrowser", command, f"1,1,0,8,8,{place}")
+
+    def save_state(self, name):
+        self.menu("menubar/menu_File", "actionFileSaveServerState")
+        self.files("FileSaveServerStateDialog", os.path.join(self.folder, name))
+
+    def load_state(self, name):
+        self.menu("menubar/menu_File", "actionFileLoadServerState")
+        self.files("FileLoadServerStateDialog", os.path.join(self.folder, name))
+        self.add("widget/OKButton", "activate", window="LoadStateOptionsDialog/")
+
+    def reset(self):
+        self.menu("menubar/menu_Edit", "actionDelete_All")
+        self.button("CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")
+
     def screenshot(self, name):
         self.menu("menubar/menu_File", "actionFileSaveScreenshot")
-        self.add("SaveScreenshotFileDialog", "filesSelected", os.path.join(self.folder, name + ".png"))
+        self.files("SaveScreenshotFileDialog", os.path.join(self.folder, name + ".png"))
         self.button("SaveScreenshotDialog/widget/OKButton")
 
     def save(self):
@@ -88,25 +128,46 @@ def clicks(folder, galaxy):
     person.screenshot("no dust")
     person.display("GalaxyComponents/Brightness stars", "set_double", "3")
     person.screenshot("bright stars")
+    person.color("GalaxyComponents/Color stars", "255,0,0")
+    person.screenshot("red stars")
     person.button("GalaxyToolBar/galaxy-edge-on")
     person.screenshot("edge-on")
     person.menu("menubar/menu_Edit", "actionEditCameraUndo")
     person.screenshot("undone")
-    person.menu("Galaxy", "galaxy-face-on")
     person.menu("galaxy-earth-as", "galaxy-earth-as-fuv")
     person.menu("GalaxyToolBar/galaxy-earth-as", "galaxy-earth-as-hi_low")
+    person.eye("/0:0/0:0/0:1")
+    person.screenshot("hidden")
+    person.eye("/0:0/0:0/0:1")
+    person.screenshot("shown")
+    person.menu("Galaxy", "galaxy-face-on")
+    person.screenshot("saved")
+    person.save_state("window.pvsm")
+    person.reset()
+    person.screenshot("reset")
+    person.load_state("window.pvsm")
+    person.screenshot("loaded")
+    person.reset()
+    person.menu("galaxy-examples", "M83")
+    person.screenshot("example")
+    person.reset()
+    person.menu("Galaxy", "galaxy-open")
+    person.files("FileOpenDialog", galaxy)
+    person.button("propertiesDock/propertiesPanel/Accept")
+    person.screenshot("opened")
     return person.save()
 
 
 def use_window(folder):
     """Plays the clicks in a window; its log."""
-    plugin = os.environ["GALAXY_PLUGIN"]
+    plugins = plugin_with_example(os.path.join(folder, "plugins"))
+    galaxy = fewer_particles(os.path.join(folder, "m83 small.galaxy"))
     with open(os.path.join(folder, "window.log"), "w+", encoding="utf-8") as log:
         window = subprocess.run(
             ["paraview", "--dr", "--exit", "--plugins=GalaxyReconstruction",
-             "--plugin-search-paths=" + os.path.dirname(plugin),
+             "--plugin-search-paths=" + plugins,
              "--script=" + os.path.join(os.path.dirname(os.path.abspath(__file__)), "window_spy.py"),
-             "--test-script=" + clicks(folder, fewer_particles(folder))],
+             "--test-script=" + clicks(folder, galaxy)],
             env=dict(os.environ, HOME=folder, GALAXY_WINDOW_NOTES=folder),
             stdout=log, stderr=log, timeout=PATIENCE, check=False)
         log.seek(0)
@@ -133,19 +194,19 @@ class GalaxyWindow(unittest.TestCase):
         pixels[-len(pixels) // 4:, :len(pixels[0]) // 5] = 0
         return pixels
 
-    def expected(self, like, camera, exposure, hidden=()):
+    def expected(self, like, camera, exposure, components):
         height, width = like.shape[:2]
-        picture = simple.SplatImage(Input=self.model, ImageSize=[width, height], **camera)
-        picture.ComponentVisibility = [item for name in hidden for item in (name, "0")]
+        picture = simple.SplatImage(
+            Input=self.model, ImageSize=[width, height], **camera, **components)
         picture.UpdatePipeline()
         radiance = gt.array(picture, "Radiance").reshape(height, width, 3)[::-1]
         pixels = np.asarray(gp.tone_map(radiance, exposure, stretch=10), dtype=float) / 255
         pixels[-height // 4:, :width // 5] = 0
         return pixels
 
-    def assertShows(self, name, camera, exposure, hidden=()):
+    def assertShows(self, name, camera, exposure, **components):
         seen = self.picture(name)
-        expected = self.expected(seen, gp.viewpoint(self.model, camera), exposure, hidden)
+        expected = self.expected(seen, gp.viewpoint(self.model, camera), exposure, components)
         self.assertGreater(expected.mean(), 0.02)
         difference = np.abs(seen - expected).mean() / expected.mean()
         self.assertLess(difference, 0.03, name)
@@ -177,13 +238,28 @@ class GalaxyWindow(unittest.TestCase):
         self.assertShows("dim", "Earth", 0.4)
 
     def test_the_table_hides_components(self):
-        self.assertShows("no gas", "Earth", 0.4, ("gas",))
-        self.assertShows("no dust", "Earth", 0.4, ("gas", "dust"))
+        self.assertShows("no gas", "Earth", 0.4, ComponentVisibility=["gas", "0"])
+        self.assertShows("no dust", "Earth", 0.4, ComponentVisibility=["gas", "0", "dust", "0"])
         self.assertGreater(self.picture("no dust").sum(), 1.02 * self.picture("no gas").sum())
 
-    def test_the_table_brightens_a_component(self):
-        self.assertGreater(
-            self.picture("bright stars").sum(), 1.05 * self.picture("no dust").sum())
+    def test_the_table_brightens_and_colours_a_component(self):
+        self.assertShows("red stars", "Earth", 0.4, **RED_STARS)
+        bright, red = (self.picture(name).sum(axis=(0, 1)) for name in ("bright stars", "red stars"))
+        self.assertGreater(bright.sum(), 1.05 * self.picture("no dust").sum())
+        self.assertGreater(red[0] / red[1], 2 * bright[0] / bright[1])
+
+    def test_the_eye_hides_and_shows(self):
+        self.assertEqual(self.picture("hidden").max(), 0)
+        self.assertGreater(self.picture("shown").max(), 0.5)
+
+    def test_a_state_brings_the_picture_back(self):
+        self.assertShows("saved", "FaceOn", 0.4, **RED_STARS)
+        self.assertGreater(self.picture("reset")[0].min(), 0.1)  # ParaView's own background
+        np.testing.assert_allclose(self.picture("loaded"), self.picture("saved"), atol=0.02)
+
+    def test_an_example_and_the_menus_open_show_what_file_open_does(self):
+        for name in ("example", "opened"):
+            np.testing.assert_allclose(self.picture(name), self.picture("earth"), atol=0.02)
 
     def test_edge_on_the_disc_is_flat(self):
         light = self.picture("edge-on").sum(axis=2)
@@ -195,9 +271,9 @@ class GalaxyWindow(unittest.TestCase):
 
     def test_the_cameras_follow_the_buttons_the_menus_and_undo(self):
         self.assertEqual(
-            self.cameras(), ["Earth", "EdgeOn", "Earth", "FaceOn", "Earth:fuv", "Earth:hi_low"])
+            self.cameras(), ["Earth", "EdgeOn", "Earth", "Earth:fuv", "Earth:hi_low", "FaceOn"])
         np.testing.assert_allclose(
-            self.picture("undone"), self.picture("bright stars"), atol=0.02)
+            self.picture("undone"), self.picture("red stars"), atol=0.02)
 
     def test_the_trace_holds_what_was_done(self):
         with open(os.path.join(self.folder, "trace.py"), encoding="utf-8") as file:
