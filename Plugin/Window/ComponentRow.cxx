@@ -71,7 +71,6 @@ QDoubleSpinBox* ComponentRow::makeFactor(const char* what, const char* tip, QWid
 
 void ComponentRow::makeColor()
 {
-  this->Color->setAutoRaise(true);
   this->Color->setObjectName("Color " + this->Name);
   this->Color->setToolTip("Colour of its light, in place of the particles' own; of dust, how much "
                           "of red, green and blue it takes");

@@ -17,19 +17,29 @@ paraview_plugin_add_auto_start(
   CLASS_NAME pqGalaxyAbort
   INTERFACES abort_interface
   SOURCES abort_sources)
+paraview_plugin_add_auto_start(
+  CLASS_NAME pqSplatsPanel
+  INTERFACES panel_interface
+  SOURCES panel_sources)
 paraview_plugin_add_property_widget(
   KIND GROUP_WIDGET
   TYPE "GalaxyComponents"
   CLASS_NAME pqComponentTableWidget
   INTERFACES table_interface
   SOURCES table_sources)
+paraview_plugin_add_property_widget(
+  KIND WIDGET
+  TYPE "GalaxyText"
+  CLASS_NAME pqInformationText
+  INTERFACES text_interface
+  SOURCES text_sources)
 
 set(window_interfaces
   ${menu_interface} ${toolbar_interface} ${opening_interface} ${abort_interface}
-  ${table_interface})
+  ${panel_interface} ${table_interface} ${text_interface})
 set(window_sources
-  ${menu_sources} ${toolbar_sources} ${opening_sources} ${abort_sources}
-  ${table_sources}
+  ${menu_sources} ${toolbar_sources} ${opening_sources} ${abort_sources} ${panel_sources}
+  ${table_sources} ${text_sources}
   Window/ActiveGalaxy.cxx
   Window/ComponentFactors.cxx
   Window/ComponentRow.cxx
@@ -52,5 +62,9 @@ set(window_sources
   Window/pqGalaxyOpening.cxx
   Window/pqGalaxyOpening.h
   Window/pqGalaxyToolBar.cxx
-  Window/pqGalaxyToolBar.h)
+  Window/pqGalaxyToolBar.h
+  Window/pqInformationText.cxx
+  Window/pqInformationText.h
+  Window/pqSplatsPanel.cxx
+  Window/pqSplatsPanel.h)
 set(window_resources Icons/GalaxyIcons.qrc)

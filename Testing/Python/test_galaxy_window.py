@@ -103,6 +103,11 @@ class Clicks:
         self.menu("menubar/menu_Edit", "actionDelete_All")
         self.button("CoreUtilitiesPromptUser/qt_msgbox_buttonbox/1QPushButton0")
 
+    def check(self, row, shown):
+        """The play fails unless this row of the display's panel is shown, or not."""
+        self.events.append(f'<pqcheck object={quoteattr(DISPLAY + row)} property="visible" '
+                           f'arguments="{str(shown).lower()}"/>')
+
     def screenshot(self, name):
         self.menu("menubar/menu_File", "actionFileSaveScreenshot")
         self.files("SaveScreenshotFileDialog", os.path.join(self.folder, name + ".png"))
@@ -155,6 +160,14 @@ def clicks(folder, galaxy):
     person.files("FileOpenDialog", galaxy)
     person.button("propertiesDock/propertiesPanel/Accept")
     person.screenshot("opened")
+    for representation in ("Splats", "Points"):
+        person.display("Representation/displayRepresentationWidget/comboBox", "set_string", representation)
+        for row in ("Opacity", "Specular", "Look", "GalaxyComponents", "ScaleBar", "Accuracy"):
+            person.check(row, (row in ("Opacity", "Specular")) == (representation == "Points"))
+    person.display("Representation/displayRepresentationWidget/comboBox", "set_string", "Splats")
+    person.button("propertiesDock/propertiesPanel/SearchBox/AdvancedButton")
+    person.check("Diffuse", False)
+    person.check("ActiveEffects/Text", True)
     return person.save()
 
 

@@ -107,7 +107,7 @@ class Sentences(unittest.TestCase):
             for prop in plugin_xml.own_properties(proxy):
                 what = f"{name}.{prop.get('name')}"
                 if prop.get("information_only"):
-                    self.assertIn(prop.get("panel_visibility"), ("advanced", "never"), what)
+                    self.assertIn(prop.get("panel_visibility"), ("advanced", "scripts", "never"), what)
                 elif prop.tag in ("IntVectorProperty", "DoubleVectorProperty"):
                     domains = [child for child in prop if child.tag.endswith("Domain")]
                     self.assertTrue(domains, what)
