@@ -8,7 +8,7 @@ gui=no
 case "${1:-}" in
   --gui)
     gui=yes
-    [ -n "${DISPLAY:-}" ] || { echo "--gui needs a display; DISPLAY is not set." >&2; exit 1; }
+    [ -n "${DISPLAY:-}" ] || { echo "--gui needs a display, but DISPLAY is not set; leave --gui out for pictures as files." >&2; exit 1; }
     shift
     ;;
   -*)

@@ -16,7 +16,7 @@ def described(name, data, output):
     path = os.path.join(output, name + ".galaxy")
     missing = [n for n in re.findall(r'"DATA/([^"]*)"', text) if not os.path.exists(f"{data}/{n}")]
     if missing:
-        sys.exit(f"{data} lacks {', '.join(missing)}")
+        sys.exit(f"{data} lacks {', '.join(missing)}; add what RealSky/{name}.galaxy names")
     with open(path, "w", encoding="utf-8") as file:
         file.write(text.replace('"DATA/', f'"{os.path.abspath(data)}/'))
     return path
@@ -27,7 +27,7 @@ def main(usage, name, half_width, azimuth, stretch, exposure=1.0):
         sys.exit(usage)
     data = sys.argv[1]
     if not os.path.isdir(data):
-        sys.exit(f"no such folder: {data}")
+        sys.exit(f"{data} is no folder; give the one with the images")
     output = sys.argv[2] if len(sys.argv) > 2 else os.path.join(HERE, "output")
     os.makedirs(output, exist_ok=True)
     gp.load_plugin()

@@ -141,11 +141,14 @@ bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleI
   view.absorptionChannels = view.absorption ? arrays.channels("Absorption") : 3;
   if (input.problem.empty() && !view.smoothingLength)
   {
-    input.problem = "the particles have no point array SmoothingLength (float32, kpc)";
+    input.problem =
+      "the particles have no point array SmoothingLength (kpc); use the filter SmoothingLength";
   }
   if (input.problem.empty() && !view.intensity && !view.emission && !view.absorption)
   {
-    input.problem = "the particles have none of the point arrays Intensity, Emission, Absorption";
+    input.problem =
+      "the particles have none of the point arrays Intensity, Emission, Absorption; add one, with "
+      "Calculator for example";
   }
   return input.problem.empty();
 }

@@ -87,8 +87,8 @@ const float* channels(vtkImageData* image, const char* name, PictureInput& input
   vtkDataArray* array = image->GetPointData()->GetArray(name);
   if (!array || array->GetNumberOfComponents() != 3)
   {
-    throw std::runtime_error(std::string("the image has no point array ") + name +
-      " of 3 channels, as SplatImage makes it");
+    throw std::runtime_error(std::string("the image must have a point array ") + name +
+      " of 3 components, as SplatImage makes it");
   }
   auto typed = vtkFloatArray::SafeDownCast(array);
   if (!typed)
@@ -139,7 +139,7 @@ PictureInput viewPicture(vtkImageData* image)
   image->GetDimensions(size);
   if (size[2] > 1)
   {
-    throw std::runtime_error("the image has depth; a picture has not");
+    throw std::runtime_error("the image must be one slice deep");
   }
   LightPicture& picture = input.picture;
   picture.width = size[0];

@@ -61,14 +61,14 @@ private:
     const vtkIdType points = this->particles->GetNumberOfPoints();
     if (channels < minChannels || channels > maxChannels || channels == 2)
     {
-      this->problem = name + " has " + std::to_string(channels) + " components instead of " +
-        std::to_string(maxChannels);
+      this->problem = name + " must have " + std::to_string(maxChannels) + " components, not " +
+        std::to_string(channels);
       return false;
     }
     if (array->GetNumberOfTuples() != points)
     {
-      this->problem = name + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-        std::to_string(points) + " points";
+      this->problem = name + " must have " + std::to_string(points) + " values, one a point, not " +
+        std::to_string(array->GetNumberOfTuples());
       return false;
     }
     return true;

@@ -73,7 +73,8 @@ ComponentDescription& SeedData::description()
     [this](const ComponentDescription& c) { return c.name == this->component; });
   if (found == components.end())
   {
-    throw Error(this->galaxy.description.file, this->component, "there is no such component");
+    throw Error(this->galaxy.description.file, this->component,
+      "there is no such component; choose one of the .galaxy file's");
   }
   return *found;
 }

@@ -26,7 +26,8 @@ std::string firstDisk(const galaxy::GalaxyDescription& description)
       return component.name;
     }
   }
-  throw galaxy::Error(description.file, "component", "the galaxy has no disc");
+  throw galaxy::Error(
+    description.file, "component", "the galaxy has no disc to seed; add a component of type Disk");
 }
 }
 

@@ -127,16 +127,16 @@ int vtkGalaxyModel::RequestData(
     if (!unasked.empty())
     {
       vtkWarningMacro(<< input.description.file << ": no particles for " << unasked
-                      << ": its images have light, but `particles` times ParticleScale is 0");
+                      << ", though its images have light; raise `particles` or ParticleScale");
     }
     const std::string dark = darkOnes(report, true);
     if (!dark.empty())
     {
       vtkWarningMacro(
         << input.description.file << ": no particles for " << dark
-        << ": none of its seeds lies on a lit pixel. Check the galaxy's ra, dec (degrees) "
-           "and distance, its inclination (edge-on, a flat disc covers no pixel), its images' "
-           "coordinates and the layers' clip and threshold");
+        << ", for no seed lies on a lit pixel; check the galaxy's ra, dec (degrees) and distance, "
+           "its inclination (edge-on, a flat disc covers no pixel), its images' coordinates and "
+           "the layers' clip and threshold");
     }
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     galaxy::toPolyData(std::move(particles), output);

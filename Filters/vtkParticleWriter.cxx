@@ -59,8 +59,8 @@ std::size_t largestComponent(vtkDataArray* component)
     if (!(value >= 0 && value <= 255 && value == std::floor(value)))
     {
       std::ostringstream text;
-      text << "point array Component has values beyond 0 to 255: " << value << " at point " << i
-           << " is no index of a component";
+      text << "point array Component must have whole numbers 0 to 255, not " << value
+           << " at point " << i;
       throw std::runtime_error(text.str());
     }
     largest = std::max(largest, value);
@@ -152,7 +152,7 @@ void vtkParticleWriter::WriteData()
     vtkPolyData* particles = vtkPolyData::SafeDownCast(this->GetInput());
     if (!this->FileName || !*this->FileName)
     {
-      throw std::runtime_error("FileName is not set");
+      throw std::runtime_error("FileName must be set");
     }
     if (this->IsFirstProcess(particles))
     {
@@ -180,7 +180,7 @@ bool vtkParticleWriter::IsFirstProcess(vtkPolyData* particles)
   if (first && !std::equal(least, least + 7, most))
   {
     vtkWarningMacro(<< this->FileName << " gets the " << particles->GetNumberOfPoints()
-                    << " particles of the first process only; other processes hold others");
+                    << " particles of the first process only; save from one process to get all");
   }
   return first;
 }
@@ -193,7 +193,8 @@ void vtkParticleWriter::Export(vtkPolyData* particles)
   PointArrays::Converted converted;
   if (!galaxy::exportParticles(viewTable(particles, converted), this->FileName, options))
   {
-    throw galaxy::Error(this->FileName, "", "not written: the writer was stopped");
+    throw galaxy::Error(
+      this->FileName, "", "not written, for the writer was stopped; save it again");
   }
 }
 

@@ -4,7 +4,6 @@
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/PointArrays.h"
 #include "Readers/AlgorithmProgress.h"
-#include "Readers/Formats/Error.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkFloatArray.h"
@@ -15,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 vtkStandardNewMacro(vtkSmoothingLength);
@@ -51,12 +51,12 @@ Points view(vtkPolyData* input, bool byLight)
     points.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);
     if (problem.empty() && !points.intensity)
     {
-      problem = "Brightness needs the point array Intensity";
+      problem = "Model Brightness needs the point array Intensity; choose another Model";
     }
   }
   if (!problem.empty())
   {
-    throw Error("particles", "", problem);
+    throw std::runtime_error(problem);
   }
   return points;
 }

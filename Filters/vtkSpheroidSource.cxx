@@ -36,7 +36,7 @@ void requireUsable(vtkSpheroidSource& source)
   };
   galaxy::requireProperty(source.GetPreset() >= vtkSpheroidSource::NONE &&
       source.GetPreset() <= vtkSpheroidSource::DWARF_IRREGULAR,
-    "Preset", "a known preset");
+    "Preset", "one of the presets");
   galaxy::requireProperty(source.GetNumberOfParticles() >= 0, "NumberOfParticles", "at least 0");
   requireNotNegative(source.GetSmoothingLength(), "SmoothingLength");
   requireNotNegative(source.GetLuminosity(), "Luminosity");
@@ -58,7 +58,7 @@ std::vector<galaxy::StarCluster> listedClusters(vtkSpheroidSource& source)
   const std::string file = source.GetClusterList();
   if (!galaxy::NumberTable(file).has("x"))
   {
-    throw galaxy::Error(file, "x", "the columns must be x, y and z: no sky is known here");
+    throw galaxy::Error(file, "x", "the columns must be x, y and z, for no sky is known here");
   }
   galaxy::requireProperty(
     source.GetLuminosity() > 0, "Luminosity", "greater than 0 with a ClusterList");

@@ -69,8 +69,8 @@ int vtkSplatImage::RequestInformation(
 {
   if (this->ImageSize[0] < 1 || this->ImageSize[1] < 1)
   {
-    vtkErrorMacro(<< "ImageSize " << this->ImageSize[0] << " x " << this->ImageSize[1]
-                  << " has no pixel");
+    vtkErrorMacro(<< "ImageSize must be at least 1 x 1, not " << this->ImageSize[0] << " x "
+                  << this->ImageSize[1]);
     return 0;
   }
   const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
@@ -104,7 +104,8 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   const std::string unknown = this->Settings->UnknownNames(input.components);
   if (!unknown.empty())
   {
-    vtkWarningMacro(<< "the particles have no component named " << unknown);
+    vtkWarningMacro(<< "the particles have no component named " << unknown
+                    << "; use the names of their component table");
   }
   galaxy::RenderOptions options = galaxy::renderOptions(*this->Settings);
   const double half = this->Settings->GetTolerance() / 2;
@@ -119,7 +120,8 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   if (image.statistics.invalid > 0)
   {
     vtkWarningMacro(<< image.statistics.invalid
-                    << " particles with a NaN, infinite or negative value were left out");
+                    << " particles with a NaN, infinite or negative value were left out; correct "
+                       "their point arrays");
   }
   output->SetExtent(0, image.width - 1, 0, image.height - 1, 0, 0);
   addChannels(output, "Radiance", image.radiance);

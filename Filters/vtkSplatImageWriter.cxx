@@ -43,7 +43,7 @@ void vtkSplatImageWriter::Export()
 {
   if (!this->FileName || !*this->FileName)
   {
-    throw std::runtime_error("FileName is not set");
+    throw std::runtime_error("FileName must be set");
   }
   galaxy::PictureExportOptions options;
   options.pixel = this->PixelType == HALF ? galaxy::ExrPixel::Half : galaxy::ExrPixel::Float;
@@ -52,7 +52,8 @@ void vtkSplatImageWriter::Export()
     galaxy::viewPicture(vtkImageData::SafeDownCast(this->GetInput()));
   if (!galaxy::exportPicture(input.picture, this->FileName, options))
   {
-    throw galaxy::Error(this->FileName, "", "not written: the writer was stopped");
+    throw galaxy::Error(
+      this->FileName, "", "not written, for the writer was stopped; save it again");
   }
 }
 

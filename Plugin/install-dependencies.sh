@@ -27,7 +27,7 @@ fi
 
 as_root=""
 if [ "$(id -u)" -ne 0 ]; then
-  command -v sudo >/dev/null || { echo "Installing$missing needs root or sudo." >&2; exit 1; }
+  command -v sudo >/dev/null || { echo "Installing$missing needs root or sudo; use either, or install them by hand." >&2; exit 1; }
   as_root="sudo"
 fi
 echo "Dependencies: installing$missing"

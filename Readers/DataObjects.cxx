@@ -111,7 +111,7 @@ std::string fieldString(vtkDataObject* object, const char* name, const std::stri
   auto array = vtkStringArray::SafeDownCast(object->GetFieldData()->GetAbstractArray(name));
   if (!array || array->GetNumberOfValues() == 0)
   {
-    throw Error(what, name, "no such field array; the input must come from GalaxyReader");
+    throw Error(what, name, "no such field array; connect GalaxyReader itself");
   }
   return array->GetValue(0);
 }
@@ -161,7 +161,8 @@ Image toImage(vtkImageData* input)
   vtkDataArray* intensity = input->GetPointData()->GetArray("Intensity");
   if (!intensity || size[2] != 1)
   {
-    throw Error(image.file, "Intensity", "no such point array on a flat image");
+    throw Error(
+      image.file, "Intensity", "no such point array on a flat image; connect GalaxyReader itself");
   }
   image.values.resize(static_cast<std::size_t>(intensity->GetNumberOfTuples()));
   for (std::size_t i = 0; i < image.values.size(); ++i)
@@ -238,7 +239,8 @@ RingTable toRingTable(vtkPolyData* input, double unit)
     vtkDataArray* values = input->GetCellData()->GetArray(column.name);
     if (!values)
     {
-      throw Error(table.file, column.name, "no such cell array on the rings");
+      throw Error(
+        table.file, column.name, "no such cell array on the rings; connect GalaxyReader itself");
     }
     for (std::size_t i = 0; i < table.rings.size(); ++i)
     {
@@ -340,12 +342,12 @@ Galaxy toGalaxy(vtkPartitionedDataSetCollection* input)
         return input->GetPartition(i, 0);
       }
     }
-    throw Error(file, name, "no such block in the galaxy");
+    throw Error(file, name, "no such block in the galaxy; connect GalaxyReader itself");
   };
   auto rings = vtkPolyData::SafeDownCast(block("rings"));
   if (!rings)
   {
-    throw Error(file, "rings", "not polygonal data");
+    throw Error(file, "rings", "must be polygonal data");
   }
   galaxy.rings = toRingTable(rings, kpcPerArcsec(galaxy.description.distance));
   for (const ImageDescription& description : galaxy.description.images)
@@ -358,7 +360,7 @@ Galaxy toGalaxy(vtkPartitionedDataSetCollection* input)
     auto image = vtkImageData::SafeDownCast(block(description.name));
     if (!image)
     {
-      throw Error(file, description.name, "not an image");
+      throw Error(file, description.name, "must be an image");
     }
     galaxy.images.push_back(toImage(image));
   }

@@ -26,7 +26,7 @@ int reportErrors(vtkObject* self, const Work& work)
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(self, << "not enough memory; a smaller ParticleScale takes less");
+    vtkErrorWithObjectMacro(self, << "not enough memory; use a smaller ParticleScale");
   }
   catch (const std::exception& error)
   {

@@ -55,7 +55,9 @@ AtomicFile::AtomicFile(const std::string& file)
   const fs::file_status status = fs::status(this->target, code);
   if (fs::exists(status) && !fs::is_regular_file(status))
   {
-    throw Error(file, "", fs::is_directory(status) ? "is a folder" : "is not a regular file");
+    throw Error(file, "",
+      (fs::is_directory(status) ? "is a folder" : "is not a regular file") +
+        std::string("; choose another name"));
   }
   this->create();
   this->takePermissions();
@@ -167,6 +169,6 @@ void AtomicFile::commit()
 
 void AtomicFile::fail(int code) const
 {
-  throw Error(this->file, "", "cannot be written: " + std::generic_category().message(code));
+  throw NotWritten(this->file, std::generic_category().message(code));
 }
 } // namespace galaxy

@@ -1,12 +1,25 @@
 #ifndef galaxy_AtomicFile_h
 #define galaxy_AtomicFile_h
 
+#include "Readers/Formats/Error.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
 namespace galaxy
 {
+/// A file that the system does not let come into being.
+class NotWritten : public Error
+{
+public:
+  NotWritten(const std::string& file, const std::string& cause)
+    : Error(
+        file, "", "cannot be written: " + cause + "; check the folder, its permissions and room")
+  {
+  }
+};
+
 /// A file that appears whole or not at all. It is written under a temporary name beside its place,
 /// and `commit` puts it there once it is safely on disk; without a commit the temporary file goes
 /// with the object, and a file that was there before stays as it was; its owner and permissions

@@ -1,6 +1,6 @@
 #include "Filters/Export/CommitTogether.h"
 
-#include "Readers/Formats/Error.h"
+#include "Filters/Export/AtomicFile.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -45,7 +45,7 @@ public:
     }
     else if (!S_ISREG(there.st_mode))
     {
-      throw Error(place, "", "cannot be replaced: is not a regular file");
+      throw Error(place, "", "is not a regular file; choose another name");
     }
     else if (link(place.c_str(), aside.c_str()) == 0 || rename(place.c_str(), aside.c_str()) == 0)
     {
@@ -53,7 +53,7 @@ public:
     }
     else
     {
-      throw Error(place, "", "cannot be replaced: " + std::generic_category().message(errno));
+      throw NotWritten(place, std::generic_category().message(errno));
     }
   }
 

@@ -28,7 +28,7 @@ void check(const ParticleTable& table, const std::string& file)
 {
   if (table.size == 0)
   {
-    throw Error(file, "", "there are no particles to write");
+    throw Error(file, "", "there are no particles to write; check the writer's input");
   }
   std::size_t first = table.size;
 #pragma omp parallel for reduction(min : first)
@@ -43,9 +43,10 @@ void check(const ParticleTable& table, const std::string& file)
   const std::string particle = "particle " + std::to_string(first);
   const std::size_t component = table.componentOf(first);
   throw Error(file, particle,
-    component < table.components.size() ? "its position is not finite"
-                                        : "its component " + std::to_string(component) +
-        " is not among the " + std::to_string(table.components.size()) + " of the component table");
+    component < table.components.size()
+      ? "its position must be finite"
+      : "its component must be below " + std::to_string(table.components.size()) +
+        ", the component table's size, not " + std::to_string(component));
 }
 
 void write(const ParticleTable& table, const std::string& file, const ExportOptions& options)
@@ -81,8 +82,7 @@ ParticleFormat formatOfFile(const std::string& file)
   const auto format = formats.find(extension);
   if (format == formats.end())
   {
-    throw Error(file, "",
-      "its extension names none of the formats: .g1, .gad, .gadget, .g2, .hdf5, .h5, .csv");
+    throw Error(file, "", "its extension must be .g1, .gad, .gadget, .g2, .hdf5, .h5 or .csv");
   }
   return format->second;
 }

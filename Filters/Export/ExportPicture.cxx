@@ -34,8 +34,7 @@ void write(
   }
   else
   {
-    throw Error(
-      file, "", "its extension names none of the formats of light: .fits, .fit, .fts, .exr");
+    throw Error(file, "", "its extension must be .fits, .fit, .fts or .exr");
   }
 }
 } // namespace
@@ -45,7 +44,7 @@ bool exportPicture(
 {
   if (picture.pixels() == 0)
   {
-    throw Error(file, "", "the picture has no pixels");
+    throw Error(file, "", "the picture must have a pixel");
   }
   try
   {

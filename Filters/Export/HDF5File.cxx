@@ -1,6 +1,6 @@
 #include "Filters/Export/HDF5File.h"
 
-#include "Readers/Formats/Error.h"
+#include "Filters/Export/AtomicFile.h"
 
 #include <algorithm>
 
@@ -63,7 +63,7 @@ HDF5File::HDF5File(const std::string& path, const std::string& name)
   if (this->file < 0)
   {
     H5Eset_auto2(H5E_DEFAULT, this->printer, this->printerData);
-    throw Error(name, "", "HDF5 cannot create it");
+    throw NotWritten(name, "HDF5 cannot create it");
   }
 }
 
@@ -164,7 +164,7 @@ void HDF5File::check(std::int64_t status, const std::string& what) const
 {
   if (status < 0)
   {
-    throw Error(this->name, "", "HDF5 cannot write " + what);
+    throw NotWritten(this->name, "HDF5 cannot write " + what);
   }
 }
 } // namespace galaxy

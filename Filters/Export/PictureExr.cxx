@@ -151,7 +151,7 @@ private:
     {
       throw Error(this->file, "",
         "light of " + std::to_string(value) +
-          " is beyond half precision, which ends at 65504; PixelType Float can hold it");
+          " is beyond half precision, which ends at 65504; use PixelType Float");
     }
     this->halves[at] = half(value);
   }
@@ -193,7 +193,7 @@ void writePictureExr(const LightPicture& picture, const std::string& file, ExrPi
   catch (const Iex::BaseExc& error)
   {
     stream.rethrow();
-    throw Error(file, "", std::string("cannot be written: ") + error.what());
+    throw NotWritten(file, error.what());
   }
   stream.rethrow();
   target.commit();

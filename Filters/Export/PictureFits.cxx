@@ -79,7 +79,7 @@ private:
     {
       char text[FLEN_STATUS];
       fits_get_errstatus(this->status, text);
-      throw Error(this->file, "", std::string("cannot be written: ") + text);
+      throw NotWritten(this->file, text);
     }
   }
 

@@ -28,7 +28,7 @@ std::size_t scaledCount(const BuildOptions& options, double particles, const std
   if (!(count < most))
   {
     throw Error(
-      file, component, "too many particles: a smaller ParticleScale, or fewer `particles`");
+      file, component, "too many particles; use a smaller ParticleScale, or fewer `particles`");
   }
   return count > 0 ? std::max<std::size_t>(1, std::llround(count)) : 0;
 }

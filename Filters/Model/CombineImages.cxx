@@ -117,7 +117,7 @@ void requireCompatible(
     {
       throw Error(file, name,
         "combine: of " + sources[0].name + " and " + sources[k].name +
-          " only one has values per beam");
+          " only one has values per beam; correct `unit` of the other");
     }
   }
 }

@@ -248,17 +248,16 @@ void requireStableFilaments(const Seeds& seeds, const TiltedDisk& disk,
   if (!std::isfinite(longest))
   {
     throw Error(file, component.name,
-      "dust: the disc does not rotate everywhere, so velocity_dispersion must be above 0");
+      "dust: velocity_dispersion must be above 0 where the disc does not rotate");
   }
   const double nuStep =
     dust.scaleHeight > 0 ? dust.verticalDispersion * longest / (dust.scaleHeight / pc) : 0;
   if (!(nuStep <= 1))
   {
     std::ostringstream message;
-    message << "dust: the walk is unstable, nu dt = " << nuStep
-            << " where it must not exceed 1; use a "
-            << "step_length of at most " << dust.stepLength / nuStep
-            << " kpc, or a larger scale_height or velocity_dispersion";
+    message << "dust: the steps are too long for filaments to stay in the layer; use a "
+               "step_length of at most "
+            << dust.stepLength / nuStep << " kpc, or a larger scale_height or velocity_dispersion";
     throw Error(file, component.name, message.str());
   }
 }

@@ -55,7 +55,8 @@ public:
     if (brightest > 0 && !(static_cast<float>(this->atInner) > 0))
     {
       throw Error(file, component.name,
-        "scale_length: exp(-r/scale_length) leaves no light at the inner_radius");
+        "scale_length leaves no light at inner_radius; give a longer one, or a smaller "
+        "inner_radius");
     }
   }
 

@@ -25,7 +25,7 @@ void require(bool finite, const char* what, const std::string& file, const std::
   {
     throw Error(file, component,
       std::string("the ") + what +
-        " of a particle is no finite number: a length, a factor or a velocity is too large");
+        " of a particle is no finite number; give smaller lengths, factors or velocities");
   }
 }
 } // namespace

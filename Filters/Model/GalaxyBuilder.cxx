@@ -56,7 +56,8 @@ public:
     requireUsable(options, this->galaxy.file);
     if (this->galaxy.components.size() > 256)
     {
-      throw Error(this->galaxy.file, "component", "a galaxy can have 256 components at most");
+      throw Error(
+        this->galaxy.file, "component", "a galaxy can have 256 components at most; leave some out");
     }
     this->report = {};
     this->report.components.resize(this->galaxy.components.size());
@@ -71,7 +72,8 @@ public:
       [&name](const ComponentDescription& component) { return component.name == name; });
     if (found == components.end())
     {
-      throw Error(this->galaxy.file, name, "there is no component of this name");
+      throw Error(this->galaxy.file, name,
+        "there is no component of this name; choose one of the .galaxy file's");
     }
     return found - components.begin();
   }
@@ -104,7 +106,8 @@ public:
     const ComponentDescription& component = this->galaxy.components[index];
     if (component.type != ComponentType::Disk)
     {
-      throw Error(this->galaxy.file, component.name, "only components of type Disk have seeds");
+      throw Error(this->galaxy.file, component.name,
+        "only components of type Disk have seeds; choose one, or use GalaxyModel");
     }
     this->components = 1;
     this->proceed();

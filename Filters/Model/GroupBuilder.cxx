@@ -54,7 +54,7 @@ std::vector<GroupPlace> placesOf(const GroupDescription& group)
     if (std::any_of(places.begin(), places.end(), isSame))
     {
       throw Error(group.file, member.galaxy,
-        "a second member is called " + galaxy.name + "; names must differ");
+        "a second member is called " + galaxy.name + "; give each its own `name`");
     }
     places.push_back({ galaxy.name, 1000 * galaxy.distance,
       placementOf(frame, *origin, group.magnification * member.magnification, group.separation) });

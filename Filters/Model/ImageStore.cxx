@@ -130,7 +130,7 @@ LightMap::ChangeColor ImageStore::dereddeningOf(const ComponentDescription& comp
   if (dust == components.end() || !usesImages(*dust))
   {
     throw Error(this->galaxy.file, component.name,
-      "deredden: " + component.deredden + " is no disk with layers");
+      "deredden: " + component.deredden + " must be a disk with layers");
   }
   const auto map =
     std::make_shared<LightMap>(this->lightOf(*dust, outerRadiusOf(*dust, this->disk)));
@@ -188,11 +188,13 @@ std::size_t ImageStore::indexOf(const std::string& name) const
     [&name](const ImageDescription& description) { return description.name == name; });
   if (found == known.end())
   {
-    throw Error(this->galaxy.file, name, "an image is named that is not described");
+    throw Error(
+      this->galaxy.file, name, "an image is named that is not described; add [image." + name + "]");
   }
   if (this->images.size() != known.size())
   {
-    throw Error(this->galaxy.file, name, "not every described image was given");
+    throw Error(
+      this->galaxy.file, name, "not every described image was given; connect GalaxyReader itself");
   }
   return found - known.begin();
 }

@@ -61,7 +61,8 @@ void IntensityScale::setClip(double lowest, double highest, const char* key,
 {
   if (!(highest > lowest))
   {
-    throw Error(file, layer.image, std::string(key) + " needs its second value above its first");
+    throw Error(
+      file, layer.image, std::string(key) + ": the second value must be greater than the first");
   }
   this->low = lowest;
   this->perUnit = 1 / (highest - lowest);

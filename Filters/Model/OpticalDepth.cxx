@@ -68,7 +68,7 @@ OpticalDepth::OpticalDepth(const ComponentDescription& component, const std::str
 {
   if (!companionOf(component).empty() && companion == nullptr)
   {
-    this->fail("image '" + companionOf(component) + "' was not given");
+    this->fail("image '" + companionOf(component) + "' was not given; add it to the .galaxy file");
   }
   switch (this->calibration)
   {
@@ -104,7 +104,7 @@ void OpticalDepth::readGas(const DepthImage* image, const DepthImage* companion)
   if (!std::isfinite(this->perValue))
   {
     this->fail("image '" + atomic.name + "' in '" + atomic.unit +
-      "' has no column density: it must be in atoms/cm2, Jy/beam km/s or K km/s");
+      "' has no column density; it must be in atoms/cm2, Jy/beam km/s or K km/s");
   }
   if (companion == nullptr)
   {
@@ -116,7 +116,7 @@ void OpticalDepth::readGas(const DepthImage* image, const DepthImage* companion)
   if (!isColumnDensity(companion->unit) && !isIntegratedTemperature)
   {
     this->fail("image '" + companion->name + "' in '" + companion->unit +
-      "' has no column density of H2: it must be in molecules/cm2 or, of CO, in K km/s");
+      "' has no column density of H2; it must be in molecules/cm2 or, of CO, in K km/s");
   }
   this->perCompanion =
     2 * (isIntegratedTemperature ? this->description.coToH2 * brightness.toSurface : 1);
@@ -133,7 +133,7 @@ void OpticalDepth::setReference(double meanSignal)
 {
   if (!(meanSignal > 0) || !std::isfinite(meanSignal))
   {
-    this->fail("the image shows no light within reference_radius");
+    this->fail("the image shows no light within reference_radius; give a larger one");
   }
   this->perSignal = this->description.referenceDepth / meanSignal;
 }
@@ -147,7 +147,7 @@ const DepthImage& OpticalDepth::given(const DepthImage* image) const
 {
   if (image == nullptr)
   {
-    this->fail("needs the component's image");
+    this->fail("must be of a component with an image");
   }
   return *image;
 }

@@ -84,7 +84,7 @@ Particles mergeParticles(
     }
     if (merged.components.size() > 256)
     {
-      throw Error(names[k], "component", "a group can hold 256 components at most");
+      throw Error(names[k], "component", "a group can hold 256 components at most; leave some out");
     }
     std::copy(galaxy.position.begin(), galaxy.position.end(), merged.position.begin() + 3 * start);
     std::copy(galaxy.smoothingLength.begin(), galaxy.smoothingLength.end(),

@@ -26,11 +26,11 @@ void requireUsable(const RingTable& table, double distance)
 {
   if (table.rings.empty())
   {
-    throw Error(table.file, "", "the table has no ring");
+    throw Error(table.file, "", "must hold a ring");
   }
   if (!(distance > 0) || !std::isfinite(distance))
   {
-    throw Error(table.file, "distance", "the rings need a distance above 0 Mpc");
+    throw Error(table.file, "distance", "must be above 0 Mpc");
   }
   double previous = 0;
   for (std::size_t k = 0; k < table.rings.size(); ++k)
@@ -46,7 +46,7 @@ void requireUsable(const RingTable& table, double distance)
     {
       if (!std::isfinite(value))
       {
-        throw Error(table.file, where, "a value is not a finite number");
+        throw Error(table.file, where, "values must be finite numbers");
       }
     }
     previous = ring.radius;

@@ -30,16 +30,17 @@ Seeds planned(const TiltedDisk& disk, const ComponentDescription& component, std
   if (!(seeds.outerRadius > seeds.innerRadius))
   {
     throw Error(file, component.name,
-      "no part of the disc lies between inner_radius and outer_radius: the rings end at " +
+      "inner_radius must be less than outer_radius and than the last ring's " +
         std::to_string(disk.lastRadius()) + " kpc");
   }
   if (range.first > range.last || range.last > count)
   {
-    throw Error(file, component.name, "the range of draws is not among the component's draws");
+    throw Error(file, component.name, "the range of draws must be among the component's draws");
   }
   if (count > std::numeric_limits<std::uint32_t>::max())
   {
-    throw Error(file, component.name, "particles: more than 4294967295 seeds");
+    throw Error(
+      file, component.name, "particles must be no more than 4294967295 times ParticleScale");
   }
   return seeds;
 }

@@ -242,7 +242,7 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
 {
   if (projection.size() > UINT32_MAX)
   {
-    throw Error("particles", "", "more than 2^32 - 1 in one rendering; render fewer at a time");
+    throw Error("particles", "", "more than 2^32 - 1 in one picture; hide some components");
   }
   if (this->memory.home.size() < projection.size())
   {

@@ -64,7 +64,7 @@ struct Section
   {
     if (this->has(key) && !condition)
     {
-      this->failAt(key, "needs " + what);
+      KeyValue(this->file, key, *this->table.get(key)).needs(what);
     }
   }
 };
@@ -81,7 +81,8 @@ void applyExtinction(const Section& section, C& component)
   }
   if (section.has("absorption"))
   {
-    section.failAt("absorption", "contradicts extinction: give one or the other");
+    KeyValue(section.file, "absorption", *section.table.get("absorption"))
+      .contradicts("extinction");
   }
   const auto [shortest, longest] = wavelengthRange(law);
   for (const double band : component.bands)
@@ -89,8 +90,8 @@ void applyExtinction(const Section& section, C& component)
     if (!(band >= shortest && band <= longest))
     {
       section.failAt("bands",
-        laws[int(law)] + " reaches from " + written(shortest) + " to " + written(longest) +
-          " um only, not to " + written(band) + " um");
+        "must be " + written(shortest) + " to " + written(longest) + " um of " + laws[int(law)] +
+          ", not " + written(band) + " um");
     }
   }
   const double R_V =
@@ -98,18 +99,17 @@ void applyExtinction(const Section& section, C& component)
   component.absorption = absorptionInBands(law, component.bands, R_V);
   if (*std::min_element(component.absorption.begin(), component.absorption.end()) < 0)
   {
-    section.failAt("r_v", "makes the extinction negative in one of the bands");
+    section.failAt("r_v", "makes the extinction negative in one of the bands; give another");
   }
 }
 
 /// With these calibrations the image itself tells the depth: no clipped intensity comes between.
 void checkCalibratedLayer(const Section& section, const C& component)
 {
-  section.requireFor(
-    "optical_depth", false, "calibration = \"Given\" or \"FaceOn\": else the image tells it");
+  section.requireFor("optical_depth", false, "calibration = \"Given\" or \"FaceOn\"");
   if (!usesImages(component) || component.layers.size() != 1)
   {
-    section.failAt("calibration", "needs a disk with one layer, the image that is calibrated");
+    section.failAt("calibration", "must be of a disk with one layer, the image that is calibrated");
   }
   for (const char* key : { "clip", "clip_percentile", "stretch" })
   {
@@ -117,7 +117,7 @@ void checkCalibratedLayer(const Section& section, const C& component)
     {
       KeyValue(section.file, key, *node)
         .fail("contradicts calibration = \"" + calibrations[int(component.depth.calibration)] +
-          "\", which takes the image's values as they are");
+          "\", which takes the image's values as they are; leave it out");
     }
   }
 }
@@ -144,7 +144,8 @@ void checkDepth(const Section& section, const C& component)
   }
   else if (calibration == DepthCalibration::FaceOn && component.type != ComponentType::Disk)
   {
-    section.failAt("calibration", "\"FaceOn\" is the depth across a disk: needs type = \"Disk\"");
+    section.failAt("calibration",
+      "\"FaceOn\" is the depth across a disk; set type = \"Disk\" or another calibration");
   }
 }
 
@@ -154,7 +155,8 @@ void checkSections(const Section& section, const C& component)
   section.requireFor("dust", component.type == ComponentType::Disk, "type = \"Disk\"");
   if (section.has("dust") && section.has("thickness"))
   {
-    section.failAt("thickness", "contradicts [component.dust]: give one or the other");
+    KeyValue(section.file, "thickness", *section.table.get("thickness"))
+      .contradicts("[component.dust]");
   }
 }
 
@@ -216,9 +218,8 @@ void finishAbsorption(const std::string& file, const toml::table& table, C& comp
   applyExtinction(section, component);
   checkDepth(section, component);
   checkSections(section, component);
-  section.requireFor(
-    "deredden", component.role == ComponentRole::Emits, "role = \"Emits\": light to deredden");
-  section.requireFor("deredden", usesImages(component), "a disk with layers: light of images");
+  section.requireFor("deredden", component.role == ComponentRole::Emits, "role = \"Emits\"");
+  section.requireFor("deredden", usesImages(component), "a disk with layers");
   section.requireFor("dust_geometry", !component.deredden.empty(), "deredden");
 }
 

@@ -60,7 +60,7 @@ void applyMask(const Image& mask, const ImageDescription& description, Image& im
   else if (mask.width != image.width || mask.height != image.height)
   {
     throw Error(
-      mask.file, "mask", "has neither celestial coordinates nor the size of " + image.file);
+      mask.file, "mask", "must have celestial coordinates, or as many pixels as " + image.file);
   }
   std::size_t pixel = 0;
   for (int row = 1; row <= image.height; ++row)

@@ -26,7 +26,9 @@ Vec3 direction(const WorldCoordinates& world, const PixelPosition& pixel, const 
   SkyPosition sky;
   if (!world.pixelToSky(pixel, sky))
   {
-    throw Error(file, "CRPIX", "the image's middle is not on the sky");
+    throw Error(file, "CRPIX",
+      "the image's middle is not on the sky; give `ra`, `dec` and `pixel_scale` for this image in "
+      "the .galaxy file");
   }
   const double alpha = sky.ra * pi / 180, delta = sky.dec * pi / 180;
   return { std::cos(delta) * std::cos(alpha), std::cos(delta) * std::sin(alpha), std::sin(delta) };

@@ -15,8 +15,7 @@ void readLayers(const KeyValue& value, ComponentDescription& out)
     readTable(value.file, "layers", *table, layerKeys(), layer);
     if (layer.clips && layer.clipsByPercentile)
     {
-      KeyValue(value.file, "clip_percentile", *table->get("clip_percentile"))
-        .fail("contradicts clip: give one or the other");
+      KeyValue(value.file, "clip_percentile", *table->get("clip_percentile")).contradicts("clip");
     }
   }
 }
@@ -24,14 +23,10 @@ void readLayers(const KeyValue& value, ComponentDescription& out)
 void readParticles(const KeyValue& value, ComponentDescription& out)
 {
   constexpr long long mostParticles = 1LL << 40;
-  out.automaticCount = value.node.is_string();
+  out.automaticCount = value.isAuto();
   if (!out.automaticCount)
   {
     out.particles = value.integer(0, mostParticles);
-  }
-  else if (value.text() != "Auto")
-  {
-    value.fail("must be a whole number or \"Auto\"");
   }
 }
 
@@ -183,23 +178,24 @@ ComponentDescription readComponent(const std::string& file, const toml::table& t
     component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
   if (hasImages && component.layers.empty())
   {
-    failAt("layers", "missing: a disk needs layers, or profile = \"Exponential\"");
+    failAt("layers", "missing; give a disk layers, or profile = \"Exponential\"");
   }
   if (hasImages && !component.hasDust && component.normalizeAt == NormalizeAt::Child &&
     component.thickness.childLight == ChildLight::Inherit)
   {
     KeyValue(file, "child_light", *table["thickness"]["child_light"].node())
-      .fail("\"Inherit\" does nothing where a pixel's particles share its flux: it needs "
+      .fail("\"Inherit\" does nothing where a pixel's particles share its flux; set "
             "normalize_at = \"Seed\" or \"None\"");
   }
   finishAbsorption(file, table, component);
   if (table.contains("smoothing") && table["smoothing_length"].value_or(0.0) > 0)
   {
-    failAt("smoothing_length", "contradicts [component.smoothing]: give one or the other");
+    KeyValue(file, "smoothing_length", *table.get("smoothing_length"))
+      .contradicts("[component.smoothing]");
   }
   if (component.automaticCount && !hasImages)
   {
-    failAt("particles", "\"Auto\" counts by the images of a disk: this component needs a number");
+    failAt("particles", "\"Auto\" counts by the images of a disk; give a number here");
   }
   return component;
 }

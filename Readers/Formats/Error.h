@@ -17,6 +17,16 @@ public:
   {
   }
 };
+
+/// A file that no setting makes readable.
+class DamagedFile : public Error
+{
+public:
+  DamagedFile(const std::string& file, const std::string& where, const std::string& what)
+    : Error(file, where, what + "; repair the file or get another copy")
+  {
+  }
+};
 } // namespace galaxy
 
 #endif

@@ -20,6 +20,8 @@ using GzipFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 constexpr std::size_t unpackedAtOnce = std::size_t(1) << 20;
 // Deflate writes a byte for at most this many.
 constexpr std::uint64_t largestRatio = 1032;
+
+const char* const unopened = "cannot be opened; check that it may be read";
 } // namespace
 
 FitsBytes::FitsBytes(const std::string& file)
@@ -28,13 +30,13 @@ FitsBytes::FitsBytes(const std::string& file)
   std::error_code failed;
   if (!std::filesystem::is_regular_file(file, failed))
   {
-    throw Error(file, "", "no such file");
+    throw Error(file, "", "no such file; correct its name");
   }
   this->stream.open(file, std::ios::binary);
   this->length = std::filesystem::file_size(file, failed);
   if (!this->stream || failed)
   {
-    throw Error(file, "", "cannot be opened");
+    throw Error(file, "", unopened);
   }
   if (this->read(0, 2) == "\x1f\x8b")
   {
@@ -66,7 +68,7 @@ void FitsBytes::unpack()
   const GzipFile gzip(gzopen(this->file.c_str(), "rb"), gzclose);
   if (!gzip)
   {
-    throw Error(this->file, "", "cannot be opened");
+    throw Error(this->file, "", unopened);
   }
   const std::uint64_t limit = memoryLimit();
   // The last four bytes of a gzip file are its length, as far as they can hold it.
@@ -84,7 +86,8 @@ void FitsBytes::unpack()
     {
       if (filled > limit)
       {
-        throw Error(this->file, "", "unpacks to more than half of the machine's memory");
+        throw Error(
+          this->file, "", "unpacks to more than half of the machine's memory; cut out a part");
       }
       this->memory.resize(filled + unpackedAtOnce);
       count = gzread(gzip.get(), this->memory.data() + filled, unpackedAtOnce);
@@ -93,18 +96,18 @@ void FitsBytes::unpack()
   }
   catch (const std::bad_alloc&)
   {
-    throw Error(this->file, "", "not enough memory to unpack it");
+    throw Error(this->file, "", "not enough memory to unpack it; use gunzip first");
   }
   int code = Z_OK;
   gzerror(gzip.get(), &code);
   if (code != Z_OK && code != Z_STREAM_END)
   {
-    throw Error(this->file, "",
+    throw DamagedFile(this->file, "",
       code == Z_BUF_ERROR ? "truncated: its gzip stream ends early" : "its gzip stream is broken");
   }
   if (this->memory.empty())
   {
-    throw Error(this->file, "", "not readable as FITS: unpacks to nothing");
+    throw DamagedFile(this->file, "", "not readable as FITS: unpacks to nothing");
   }
   this->length = this->memory.size();
 }

@@ -98,8 +98,8 @@ public:
     {
       throw Error(file, "plane " + std::to_string(index),
         "out of range, the image has " + std::to_string(this->count) +
-          (this->count == 1 ? " plane" : " planes") + " (0 to " + std::to_string(this->count - 1) +
-          ")");
+          (this->count == 1 ? " plane" : " planes") + "; choose from 0 to " +
+          std::to_string(this->count - 1));
     }
   }
 
@@ -140,7 +140,7 @@ FitsSlab channelsOf(
   if (first > channels)
   {
     throw Error(file, "velocity range",
-      "no channel lies in it: they run from " + std::to_string(axis.velocity(1)) + " to " +
+      "no channel lies in it; choose from " + std::to_string(axis.velocity(1)) + " to " +
         std::to_string(axis.velocity(static_cast<double>(channels))) + " km/s");
   }
   slab.summedAxis = axis.index();
@@ -179,7 +179,7 @@ FitsPlan planOf(const std::string& file, const FitsHdu& hdu, const FitsSelection
   const Planes planes(hdu, plan.axes);
   if (selection.planes && selection.velocityRange)
   {
-    throw Error(file, "planes", "contradicts the velocity range: give one or the other");
+    throw Error(file, "planes", "contradicts the velocity range; give one or the other");
   }
   if (selection.planes)
   {
@@ -188,7 +188,7 @@ FitsPlan planOf(const std::string& file, const FitsHdu& hdu, const FitsSelection
     planes.require(file, last);
     if (first > last)
     {
-      throw Error(file, "planes", "the first is after the last");
+      throw Error(file, "planes", "the first must not be after the last");
     }
     plan.slabs = planes.slabs(first, last);
     plan.isMean = first < last;

@@ -14,6 +14,8 @@ namespace galaxy
 {
 namespace
 {
+const std::string cure = "; cut out or bin the image first";
+
 std::string readCards(const FitsHandle& fits)
 {
   char* header = nullptr;
@@ -48,13 +50,15 @@ Image emptyImage(const std::string& file, const FitsHdu& hdu, const FitsPlan& pl
   constexpr long long longest = std::numeric_limits<int>::max();
   if (width > longest || height > longest)
   {
-    throw Error(file, "NAXIS", "an axis is longer than " + std::to_string(longest) + " pixels");
+    throw Error(
+      file, "NAXIS", "an axis is longer than " + std::to_string(longest) + " pixels" + cure);
   }
   // The values, and the weights of a sum.
   constexpr std::uint64_t bytesPerPixel = 2 * sizeof(double);
   if (static_cast<std::uint64_t>(width * height) > FitsBytes::memoryLimit() / bytesPerPixel)
   {
-    throw Error(file, "NAXIS", "the image would take more than half of the machine's memory");
+    throw Error(
+      file, "NAXIS", "the image would take more than half of the machine's memory" + cure);
   }
   Image image;
   image.file = file;
@@ -91,7 +95,7 @@ Image readFitsImage(
   }
   catch (const std::bad_alloc&)
   {
-    throw Error(file, "NAXIS", "not enough memory for the image");
+    throw Error(file, "NAXIS", "not enough memory for the image" + cure);
   }
 }
 } // namespace galaxy

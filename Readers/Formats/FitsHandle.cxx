@@ -38,7 +38,7 @@ FitsHandle::FitsHandle(FitsBytes& bytes)
   const std::string path = std::filesystem::absolute(this->file).string();
   if (path.size() >= FLEN_FILENAME)
   {
-    throw Error(this->file, "", "the path is longer than CFITSIO can take");
+    throw Error(this->file, "", "the path is longer than CFITSIO can take; move the file");
   }
   fits_clear_errmsg();
   int status = 0;
@@ -71,7 +71,7 @@ void FitsHandle::check(int status, const std::string& where) const
 {
   if (status != 0)
   {
-    throw Error(this->file, where, takeMessages(status));
+    throw DamagedFile(this->file, where, takeMessages(status));
   }
 }
 
@@ -92,7 +92,8 @@ void FitsHandle::moveTo(const FitsHdu& hdu)
     start != static_cast<LONGLONG>(hdu.dataStart) || count != static_cast<int>(hdu.axes.size()) ||
     !std::equal(hdu.axes.begin(), hdu.axes.end(), axes.begin()))
   {
-    throw Error(this->file, where, "the header contradicts itself about the size of its data");
+    throw DamagedFile(
+      this->file, where, "the header contradicts itself about the size of its data");
   }
 }
 } // namespace galaxy

@@ -31,7 +31,7 @@ long long required(
   const std::optional<long long> value = hdu.header.integer(keyword);
   if (!value || *value < 0 || *value > most)
   {
-    throw Error(bytes.file, nameOf(hdu.number) + ": " + keyword,
+    throw DamagedFile(bytes.file, nameOf(hdu.number) + ": " + keyword,
       "missing, or not a whole number from 0 to " + std::to_string(most));
   }
   return *value;
@@ -47,7 +47,8 @@ int readBitpix(const FitsBytes& bytes, const FitsHdu& hdu, const std::string& ke
       return known;
     }
   }
-  throw Error(bytes.file, nameOf(hdu.number) + ": " + keyword, "must be 8, 16, 32, 64, -32 or -64");
+  throw DamagedFile(
+    bytes.file, nameOf(hdu.number) + ": " + keyword, "is not 8, 16, 32, 64, -32 or -64");
 }
 
 std::vector<long long> readAxes(
@@ -80,7 +81,7 @@ std::uint64_t promisedBytes(
   overflows |= __builtin_mul_overflow(size, std::abs(bitpix) / 8, &size);
   if (overflows || parameters < 0 || count < 0 || size > std::numeric_limits<long long>::max() / 2)
   {
-    throw Error(bytes.file, nameOf(hdu.number) + ": NAXIS",
+    throw DamagedFile(bytes.file, nameOf(hdu.number) + ": NAXIS",
       "the header promises an impossible number of pixels");
   }
   return static_cast<std::uint64_t>(size);
@@ -113,7 +114,7 @@ bool readCards(FitsBytes& bytes, std::uint64_t start, FitsHdu& hdu)
       break;
     }
   }
-  throw Error(bytes.file, "",
+  throw DamagedFile(bytes.file, "",
     "not readable as FITS: the header of " + nameOf(hdu.number) +
       " does not end, the file is truncated or no FITS file");
 }
@@ -128,7 +129,7 @@ void requireNumbers(const FitsBytes& bytes, const FitsHdu& hdu)
     const std::optional<std::string> text = hdu.header.text(keyword);
     if (text && (text->size() > longestNumber || !hdu.header.number(keyword)))
     {
-      throw Error(bytes.file, nameOf(hdu.number) + ": " + keyword, "not a number");
+      throw DamagedFile(bytes.file, nameOf(hdu.number) + ": " + keyword, "not a number");
     }
   }
 }
@@ -183,7 +184,7 @@ void checkPromise(const FitsBytes& bytes, const FitsHdu& hdu)
   const auto pixels = static_cast<std::uint64_t>(hdu.pixels());
   if (hdu.dataBytes > available || (hdu.compressed && pixels / mostPixelsPerByte > hdu.dataBytes))
   {
-    throw Error(bytes.file, nameOf(hdu.number) + ": NAXIS",
+    throw DamagedFile(bytes.file, nameOf(hdu.number) + ": NAXIS",
       "the file is truncated: its header promises " + std::to_string(pixels) + " pixels, its " +
         std::to_string(bytes.size()) + " bytes cannot hold them");
   }
@@ -194,18 +195,20 @@ void checkPromise(const FitsBytes& bytes, const FitsHdu& hdu)
 {
   if (count == 0)
   {
-    throw Error(bytes.file, "", "not readable as FITS: it does not begin with SIMPLE");
+    throw Error(
+      bytes.file, "", "not readable as FITS: it does not begin with SIMPLE; choose a FITS file");
   }
-  const std::string holds = "the file holds " + std::to_string(count) + " HDUs";
   if (!selection.extension.empty())
   {
-    throw Error(bytes.file, "extension '" + selection.extension + "'", "not found, " + holds);
+    throw Error(bytes.file, "extension '" + selection.extension + "'",
+      "not found; choose an EXTNAME that the file has");
   }
   if (selection.hdu >= 0)
   {
-    throw Error(bytes.file, nameOf(selection.hdu), "not found, " + holds + ", counted from 0");
+    throw Error(bytes.file, nameOf(selection.hdu),
+      "not found; choose from 0 to " + std::to_string(count - 1));
   }
-  throw Error(bytes.file, "", "holds no image of two or more axes");
+  throw Error(bytes.file, "", "holds no image of two or more axes; choose another file");
 }
 } // namespace
 
@@ -246,7 +249,7 @@ FitsHdu findFitsImage(FitsBytes& bytes, const FitsSelection& selection)
       {
         throw Error(bytes.file,
           selection.extension.empty() ? nameOf(number) : "extension '" + selection.extension + "'",
-          "holds no image of two or more axes");
+          "holds no image of two or more axes; choose another HDU");
       }
       checkPromise(bytes, hdu);
       return hdu;

@@ -85,7 +85,7 @@ void requireRange(const std::string& file, const FitsHdu& hdu, const std::string
   const long long value = hdu.header.integer(keyword).value_or(lowest - 1);
   if (hdu.header.text(keyword) && (value < lowest || value > highest))
   {
-    throw Error(file, keyword,
+    throw DamagedFile(file, keyword,
       "no parameter of a compression: must be from " + std::to_string(lowest) + " to " +
         std::to_string(highest));
   }
@@ -161,7 +161,7 @@ public:
 
   [[noreturn]] void fail(std::size_t row, const std::string& what) const
   {
-    throw Error(this->fits.file, this->name, "tile " + std::to_string(row + 1) + " " + what);
+    throw DamagedFile(this->fits.file, this->name, "tile " + std::to_string(row + 1) + " " + what);
   }
 
 private:
@@ -289,7 +289,8 @@ void checkQuantisation(const std::string& file, const FitsHdu& hdu)
   if (!scaled || hdu.header.text("ZQUANTIZ").value_or("") == "NONE" ||
     (isRice(hdu) && hdu.header.integer("ZVAL2").value_or(4) != 4))
   {
-    throw Error(file, "ZQUANTIZ", "floats that are not quantised are compressed by GZIP alone");
+    throw DamagedFile(
+      file, "ZQUANTIZ", "floats that are not quantised are compressed by GZIP alone");
   }
 }
 
@@ -300,12 +301,13 @@ void checkTileParameters(const std::string& file, const FitsHdu& hdu)
   const std::string repeated = hdu.header.repeated("Z");
   if (!repeated.empty())
   {
-    throw Error(file, repeated, "stands more than once in the header of a compressed image");
+    throw DamagedFile(file, repeated, "stands more than once in the header of a compressed image");
   }
   if (hdu.axes.size() > mostAxes || hdu.bitpix == LONGLONG_IMG)
   {
     throw Error(file, hdu.bitpix == LONGLONG_IMG ? "ZBITPIX" : "ZNAXIS",
-      "tile-compressed 64-bit integers and images of more than 6 axes cannot be read");
+      "tile-compressed 64-bit integers and images of more than 6 axes cannot be read; unpack the "
+      "image first, with funpack");
   }
   if (!hdu.isImage())
   {
@@ -314,11 +316,12 @@ void checkTileParameters(const std::string& file, const FitsHdu& hdu)
   const Tiling tiling(hdu);
   if (tiling.largest() == 0)
   {
-    throw Error(file, "ZTILE", "the header promises impossible tiles");
+    throw DamagedFile(file, "ZTILE", "the header promises impossible tiles");
   }
   if (tiling.count() > hdu.header.integer("NAXIS2").value_or(0))
   {
-    throw Error(file, "NAXIS2", "the table of the compressed image has fewer rows than tiles");
+    throw DamagedFile(
+      file, "NAXIS2", "the table of the compressed image has fewer rows than tiles");
   }
   if (isRice(hdu))
   {

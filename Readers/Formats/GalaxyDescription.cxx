@@ -69,8 +69,8 @@ toml::table parseToml(const std::string& text, const std::string& file)
   }
   catch (const toml::parse_error& error)
   {
-    throw Error(
-      file, "line " + std::to_string(error.source().begin.line), std::string(error.description()));
+    throw Error(file, "line " + std::to_string(error.source().begin.line),
+      std::string(error.description()) + "; correct it as TOML");
   }
 }
 
@@ -106,12 +106,12 @@ std::string readText(const std::string& file)
   std::ifstream stream(file, std::ios::binary);
   if (!stream || !std::filesystem::is_regular_file(file, ignored))
   {
-    throw Error(file, "", "cannot be read");
+    throw Error(file, "", "cannot be read; check that it is a file, there and readable");
   }
   const std::string text{ std::istreambuf_iterator<char>(stream), {} };
   if (stream.bad())
   {
-    throw Error(file, "", "cannot be read to its end");
+    throw DamagedFile(file, "", "cannot be read to its end");
   }
   return text;
 }

@@ -19,14 +19,14 @@ void readGalaxy(const KeyValue& value, GalaxyDescription& out)
   {
     if (!out.rings.empty() && table.contains(key))
     {
-      KeyValue(value.file, key, *table.get(key)).fail("contradicts rings: give one or the other");
+      KeyValue(value.file, key, *table.get(key)).contradicts("rings");
     }
   }
   for (const char* key : { "ring_disk", "ring_sides", "ring_law", "ring_pixel_scale" })
   {
     if (out.rings.empty() && table.contains(key))
     {
-      KeyValue(value.file, key, *table.get(key)).fail("needs rings");
+      KeyValue(value.file, key, *table.get(key)).needs("rings");
     }
   }
 }
@@ -38,7 +38,7 @@ void readComponents(const KeyValue& value, GalaxyDescription& out)
   {
     if (out.components.size() == most)
     {
-      KeyValue(value.file, "component", *table).fail("more than 255 components");
+      KeyValue(value.file, "component", *table).fail("more than 255 components; leave some out");
     }
     const ComponentDescription component = readComponent(value.file, *table);
     for (const ComponentDescription& other : out.components)
@@ -46,7 +46,7 @@ void readComponents(const KeyValue& value, GalaxyDescription& out)
       if (other.name == component.name)
       {
         KeyValue(value.file, "name", *table->get("name"))
-          .fail("there is another component '" + component.name + "'");
+          .fail("there is another component '" + component.name + "'; give each its own name");
       }
     }
     out.components.push_back(component);

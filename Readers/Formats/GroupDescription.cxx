@@ -1,3 +1,4 @@
+#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
 
 #include <filesystem>
@@ -24,7 +25,7 @@ const Keys<GroupDescription>& groupFileKeys()
 {
   static const Keys<GroupDescription> keys = {
     sectionKey<GroupDescription>("group", readGroup),
-    required(sectionKey<GroupDescription>("member", readMembers)),
+    sectionKey<GroupDescription>("member", readMembers),
   };
   return keys;
 }
@@ -62,7 +63,7 @@ GroupDescription parseGroupDescription(const std::string& text, const std::strin
   readTable(file, "", root, groupFileKeys(), group);
   if (group.members.empty())
   {
-    failAtMissingKey(file, "", root, "member");
+    throw Error(file, "member", "missing; add a section [[member]] for every galaxy");
   }
   return group;
 }

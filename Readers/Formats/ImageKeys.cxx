@@ -11,13 +11,11 @@ namespace
 {
 void readBackground(const KeyValue& value, ImageDescription& out)
 {
-  out.automaticBackground = value.node.is_string();
-  if (out.automaticBackground)
+  out.automaticBackground = value.isAuto();
+  if (!out.automaticBackground)
   {
-    value.choice({ "Auto" });
-    return;
+    out.background = value.number(Range::any());
   }
-  out.background = value.number(Range::any());
 }
 
 void readPlanes(const KeyValue& value, ImageDescription& out)
@@ -90,12 +88,10 @@ void readCombine(const KeyValue& value, ImageDescription& out)
 
 void readSignal(const KeyValue& value, ImageDescription& out)
 {
-  if (value.node.is_string())
+  if (!value.isAuto())
   {
-    value.choice({ "Auto" });
-    return;
+    out.signalAbove = value.number(Range::notNegative());
   }
-  out.signalAbove = value.number(Range::notNegative());
 }
 
 /// An image is read from a file or combined of others, which then say all about its pixels.
@@ -104,7 +100,7 @@ void checkSource(const std::string& file, const std::string& section, const toml
   const bool combines = table.contains("combine");
   if (!combines && !table.contains("file"))
   {
-    failAtMissingKey(file, section, table, "file");
+    failAtMissingKey(file, section, table, "file", "FITS file");
   }
   for (const auto& [key, node] : inTextOrder(table))
   {
@@ -112,11 +108,11 @@ void checkSource(const std::string& file, const std::string& section, const toml
     if (combines && !belongs)
     {
       KeyValue(file, key, *node)
-        .fail("has no place beside combine: give it to the images combined");
+        .fail("has no place beside combine; give it to the images combined");
     }
     if (!combines && key == "signal_above")
     {
-      KeyValue(file, key, *node).fail("needs combine");
+      KeyValue(file, key, *node).needs("combine");
     }
   }
 }
@@ -151,8 +147,7 @@ void checkPlanes(const std::string& file, const toml::table& table)
   {
     if (table.contains("planes") && table.contains(other))
     {
-      KeyValue(file, "planes", *table.get("planes"))
-        .fail("contradicts " + other + ": give one or the other");
+      KeyValue(file, "planes", *table.get("planes")).contradicts(other);
     }
   }
 }
@@ -165,15 +160,14 @@ void checkCoordinates(const std::string& file, const std::string& section, const
   {
     if (!supplied && table.contains(key))
     {
-      KeyValue(file, key, *table.get(key))
-        .fail("needs pixel_scale: coordinates are supplied as a whole or not at all");
+      KeyValue(file, key, *table.get(key)).needs("pixel_scale");
     }
   }
   for (const char* key : { "ra", "dec" })
   {
     if (supplied && !table.contains(key))
     {
-      failAtMissingKey(file, section, table, key);
+      failAtMissingKey(file, section, table, key, "number, degrees");
     }
   }
 }

@@ -47,6 +47,29 @@ std::string joined(const std::vector<std::string>& names, const char* separator)
   }
   return text;
 }
+
+/// Empty where none is near.
+std::string nearest(const std::string& name, const std::vector<std::string>& candidates)
+{
+  std::string nearest;
+  // Farther than half of its letters, a name is another word rather than a misspelling.
+  std::size_t least = name.size() / 2 + 1;
+  for (const std::string& candidate : candidates)
+  {
+    const std::size_t distance = editDistance(name, candidate);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::string didYouMean(const std::string& name)
+{
+  return "; did you mean `" + name + "`?";
+}
 } // namespace
 
 bool Range::contains(double number) const
@@ -83,6 +106,16 @@ void KeyValue::fail(const std::string& what) const
 {
   const std::string line = lineOf(this->node);
   throw Error(this->file, line + (line.empty() ? "" : ": ") + this->key, what);
+}
+
+void KeyValue::contradicts(const std::string& other) const
+{
+  this->fail("contradicts " + other + "; give one or the other");
+}
+
+void KeyValue::needs(const std::string& what) const
+{
+  this->fail("needs " + what + "; give it, or leave " + this->key + " out");
 }
 
 double KeyValue::number(const Range& range) const
@@ -131,6 +164,19 @@ bool KeyValue::flag() const
     this->fail("must be true or false");
   }
   return this->node.as_boolean()->get();
+}
+
+bool KeyValue::isAuto() const
+{
+  if (!this->node.is_string())
+  {
+    return false;
+  }
+  if (lower(this->text()) != "auto")
+  {
+    this->fail("must be a number or \"Auto\"");
+  }
+  return true;
 }
 
 std::vector<double> KeyValue::numbers(std::size_t count, const Range& range) const
@@ -182,7 +228,9 @@ std::size_t KeyValue::choice(const std::vector<std::string>& names) const
       return i;
     }
   }
-  this->fail("'" + text + "' is none of " + joined(names, ", ") + suggestion(text, names));
+  const std::string near = nearest(text, names);
+  this->fail("must be one of " + joined(names, ", ") + ", not '" + text + "'" +
+    (near.empty() ? "" : didYouMean(near)));
 }
 
 std::string lineOf(const toml::node& node)
@@ -207,19 +255,10 @@ std::vector<std::pair<std::string, const toml::node*>> inTextOrder(const toml::t
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates)
 {
-  std::string nearest;
-  // Farther than half of its letters, a name is another word rather than a misspelling.
-  std::size_t least = name.size() / 2 + 1;
-  for (const std::string& candidate : candidates)
-  {
-    const std::size_t distance = editDistance(name, candidate);
-    if (distance < least)
-    {
-      least = distance;
-      nearest = candidate;
-    }
-  }
-  return nearest.empty() ? "" : "; did you mean `" + nearest + "`?";
+  const std::string near = nearest(name, candidates);
+  return !near.empty()   ? didYouMean(near)
+    : candidates.empty() ? "; add it"
+                         : "; use one of " + joined(candidates, ", ");
 }
 
 std::string written(double number)
@@ -261,16 +300,16 @@ std::string writtenText(const std::string& text)
 void failAtUnknownKey(
   const KeyValue& value, const std::string& section, const std::vector<std::string>& known)
 {
-  const std::string near = suggestion(value.key, known);
-  value.fail("unknown key" + (section.empty() ? "" : " of " + section) +
-    (near.empty() ? "; known are " + joined(known, ", ") : near));
+  value.fail(
+    "unknown key" + (section.empty() ? "" : " of " + section) + suggestion(value.key, known));
 }
 
 void failAtMissingKey(const std::string& file, const std::string& section, const toml::table& table,
-  const std::string& key)
+  const std::string& key, const std::string& type)
 {
   const std::string line = section.empty() ? "" : lineOf(table);
   throw Error(file, line + (line.empty() ? "" : ": ") + key,
-    "missing" + (section.empty() ? "" : " in " + section));
+    "missing" + (section.empty() ? "" : " in " + section) +
+      (type.empty() ? "; add a section [" + key + "]" : "; give a " + type));
 }
 } // namespace galaxy

@@ -55,6 +55,8 @@ public:
   long long integer(long long lowest, long long highest) const;
   std::string text() const;
   bool flag() const;
+  /// Whether "Auto" stands in place of a number.
+  bool isAuto() const;
   std::vector<double> numbers(std::size_t count, const Range& range) const;
   const toml::table& table() const;
   /// The tables of an array of tables, `[[name]]` or `[{...}, {...}]`.
@@ -64,6 +66,10 @@ public:
 
   /// Throws Error at this key and line.
   [[noreturn]] void fail(const std::string& what) const;
+  /// Another key says the same.
+  [[noreturn]] void contradicts(const std::string& other) const;
+  /// Without something else, the key means nothing.
+  [[noreturn]] void needs(const std::string& what) const;
 
   const std::string& file;
   const std::string key;
@@ -76,7 +82,7 @@ std::string lineOf(const toml::node& node);
 /// The entries of a table in the order of the text.
 std::vector<std::pair<std::string, const toml::node*>> inTextOrder(const toml::table& table);
 
-/// ": did you mean `name`?" for the candidate nearest to `name`, empty where none is near.
+/// What to do about a name that is none of the candidates: "; did you mean `nearest`?".
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
 /// One key of a section that describes a T.
@@ -209,7 +215,7 @@ Key<T> withDefault(Key<T> key, const char* byDefault)
 [[noreturn]] void failAtUnknownKey(
   const KeyValue& value, const std::string& section, const std::vector<std::string>& known);
 [[noreturn]] void failAtMissingKey(const std::string& file, const std::string& section,
-  const toml::table& table, const std::string& key);
+  const toml::table& table, const std::string& key, const std::string& type);
 
 template <class T>
 void readTable(const std::string& file, const std::string& section, const toml::table& table,
@@ -235,7 +241,7 @@ void readTable(const std::string& file, const std::string& section, const toml::
   {
     if (key.isRequired && !table.contains(key.name))
     {
-      failAtMissingKey(file, section, table, key.name);
+      failAtMissingKey(file, section, table, key.name, key.type);
     }
   }
 }

@@ -32,13 +32,13 @@ NumberTable::NumberTable(const std::string& file)
     if (cells.size() != this->names.size())
     {
       this->fail(this->rows.size() - 1,
-        std::to_string(cells.size()) + " columns, where the heading has " +
-          std::to_string(this->names.size()));
+        "has " + std::to_string(cells.size()) + " columns, must have " +
+          std::to_string(this->names.size()) + ", as the heading has");
     }
   }
   if (this->rows.empty())
   {
-    throw Error(file, "", "holds no rows under a heading");
+    throw Error(file, "", "must hold rows under a heading");
   }
 }
 
@@ -52,13 +52,13 @@ double NumberTable::number(std::size_t row, const std::string& column, const Ran
   const auto name = std::find(this->names.begin(), this->names.end(), column);
   if (name == this->names.end())
   {
-    throw Error(this->file, "", "the heading names no column " + column);
+    throw Error(this->file, "", "the heading must name a column " + column);
   }
   const std::string& cell = this->rows[row].cells[name - this->names.begin()];
   double number;
   if (!parseNumber(cell, number))
   {
-    this->fail(row, column + " is not a finite number: '" + cell + "'");
+    this->fail(row, column + " must be a finite number, not '" + cell + "'");
   }
   if (!range.contains(number))
   {

@@ -43,7 +43,8 @@ void readProperties(const std::string& properties, RegionFrame& frame)
   const std::optional<RegionFrame> named = frameNamed(cells.empty() ? "" : cells[0]);
   if (!named)
   {
-    throw RegionFault((cells.empty() ? "" : "'" + cells[0] + "'") + " is not a frame known here");
+    throw RegionFault("coord= must be J2000, B1950, ICRS, GALACTIC or ECLIPTIC" +
+      (cells.empty() ? "" : ", not '" + cells[0] + "'"));
   }
   frame = *named;
 }

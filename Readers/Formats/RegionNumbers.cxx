@@ -37,7 +37,7 @@ double plainNumber(const std::string& text)
   double number;
   if (!parseNumber(text, number))
   {
-    throw RegionFault("'" + text + "' is not a number");
+    throw RegionFault("'" + text + "' must be a number");
   }
   return number;
 }
@@ -88,14 +88,14 @@ double regionAngle(const std::string& text, bool colonsAreHours)
     const RegionNumber number = regionNumber(text, false);
     if (number.isPixels)
     {
-      throw RegionFault("'" + text + "' is no angle on the sky");
+      throw RegionFault("'" + text + "' must be an angle on the sky");
     }
     return number.value;
   }
   const std::vector<double> fields = sexagesimalFields(text);
   if (fields.empty() || fields.size() > 3)
   {
-    throw RegionFault("'" + text + "' is no angle on the sky");
+    throw RegionFault("'" + text + "' must be an angle on the sky");
   }
   double angle = 0;
   for (std::size_t i = 0; i < fields.size(); ++i)

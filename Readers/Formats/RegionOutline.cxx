@@ -58,8 +58,8 @@ public:
     const bool known = name == "circle" || name == "ellipse" || name == "poly" ||
       name == "polygon" || name == "box" || name == "centerbox" || name == "rotbox";
     throw RegionFault(known
-        ? name + " with " + std::to_string(count) + " numbers"
-        : "'" + name + "' is not a shape; known are circle, ellipse, box, polygon");
+        ? name + " with " + std::to_string(count) + " numbers; give as many as DS9 or CASA write"
+        : "'" + name + "' is not a shape; use circle, ellipse, box or polygon");
   }
 
 private:
@@ -87,12 +87,13 @@ private:
     }
     if (this->canvas.coordinates == nullptr)
     {
-      throw RegionFault("sky coordinates need an image with celestial coordinates");
+      throw RegionFault(
+        "sky coordinates need an image with celestial coordinates; use image pixels");
     }
     const SkyPosition own = { regionAngle(place.x, true), regionAngle(place.y, false) };
     if (!(std::abs(own.dec) <= 90))
     {
-      throw RegionFault("'" + place.y + "' is beyond the pole");
+      throw RegionFault("the declination must be -90 to 90 degrees, not '" + place.y + "'");
     }
     PixelPosition at;
     if (!this->canvas.coordinates->skyToPixel(
@@ -112,7 +113,7 @@ private:
       number.value * (number.isPixels == this->isSky() ? this->lengthRatio() : 1);
     if (!(value >= 0))
     {
-      throw RegionFault("'" + text + "' is not a length");
+      throw RegionFault("a length must be at least 0, not '" + text + "'");
     }
     return value;
   }
@@ -122,7 +123,8 @@ private:
   {
     if (this->canvas.coordinates == nullptr)
     {
-      throw RegionFault("a length on the sky needs an image with celestial coordinates");
+      throw RegionFault(
+        "a length on the sky needs an image with celestial coordinates; use pixels");
     }
     SkyPosition here, there;
     this->canvas.coordinates->pixelToSky({ 1, 1 }, here);

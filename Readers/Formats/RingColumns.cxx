@@ -98,7 +98,7 @@ Layout plainLayout()
   Layout layout;
   layout.count = 5;
   layout.exact = true;
-  layout.expected = "5 columns (r vrot Z0 i PA)";
+  layout.expected = "5 (r vrot Z0 i PA)";
   for (std::size_t k = 0; k < layout.count; ++k)
   {
     layout.quantities.push_back({ k, &all[k], 1 });
@@ -129,7 +129,7 @@ Layout rotcurLayout(const Table& table, const RingOptions& options)
   Layout layout;
   layout.code = RingCode::Rotcur;
   layout.count = 11;
-  layout.expected = "a ROTCUR row of at least 11 columns";
+  layout.expected = "at least 11 of ROTCUR";
   layout.quantities = { { 0, &all[0], radius }, { 2, &all[7], 1 }, { 4, &all[1], 1 },
     { 6, &all[6], -1 }, { 8, &all[4], 1 }, { 10, &all[3], 1 } };
   layout.extras = { { 1, "WIDTH", unit }, { 3, "E_VSYS", "km/s" }, { 5, "E_VROT", "km/s" },
@@ -204,7 +204,7 @@ Layout namedLayout(
   Layout layout;
   layout.count = headings.size();
   layout.exact = true;
-  layout.expected = std::to_string(headings.size()) + " columns, as the heading has";
+  layout.expected = std::to_string(headings.size()) + ", as the heading has";
   for (const Heading& heading : headings)
   {
     const auto index = static_cast<std::size_t>(&heading - headings.data());
@@ -256,7 +256,7 @@ Layout recogniseLayout(const Table& table, const RingOptions& options)
     if (!commented && missing != nullptr)
     {
       throw Error(table.file, "line " + std::to_string(line->number),
-        std::string("the heading names no column ") + missing->symbol);
+        std::string("the heading must name a column ") + missing->symbol);
     }
     if (missing == nullptr && (!commented || headings.size() == columns))
     {
@@ -272,9 +272,8 @@ Ring parseRow(const Line& line, const Layout& layout, const std::string& file)
   const std::size_t count = line.cells.size();
   if (count < layout.count || (layout.exact && count > layout.count))
   {
-    throw Error(file, where,
-      (count < layout.count ? "too few columns: " : "too many columns: ") + std::to_string(count) +
-        ", expected " + layout.expected);
+    throw Error(
+      file, where, "has " + std::to_string(count) + " columns, must have " + layout.expected);
   }
   Ring ring;
   for (const auto& [index, quantity, factor] : layout.quantities)
@@ -284,7 +283,7 @@ Ring parseRow(const Line& line, const Layout& layout, const std::string& file)
     {
       throw Error(file, where,
         "column " + std::to_string(index + 1) + " (" + quantity->symbol +
-          ") is not a finite number: '" + line.cells[index] + "'");
+          ") must be a finite number, not '" + line.cells[index] + "'");
     }
     ring.*(quantity->member) = factor * number;
   }

@@ -57,7 +57,7 @@ public:
         if (cells.empty() || !parseNumber(cells[0], value))
         {
           throw Error(this->file, "line " + std::to_string(line.number),
-            "no finite number behind '" + label + "'");
+            "'" + label + "' must be followed by a finite number");
         }
         return true;
       }
@@ -77,7 +77,7 @@ public:
     {
       return inputFactor * value;
     }
-    throw Error(this->file, label, "missing");
+    throw Error(this->file, label, "missing; give the whole output of the fit");
   }
 
   /// The setting of a toggle, `warp: T`.
@@ -183,14 +183,16 @@ std::vector<std::pair<int, std::vector<double>>> readRows(
         if (!parseNumber(cells[k], number))
         {
           throw Error(file, where,
-            std::string("column ") + columnNames[k] + " is not a finite number: '" + cells[k] +
+            std::string("column ") + columnNames[k] + " must be a finite number, not '" + cells[k] +
               "'");
         }
         row.push_back(number);
       }
       if (row.size() < mostColumns)
       {
-        throw Error(file, where, "too few columns: " + std::to_string(row.size()));
+        throw Error(file, where,
+          "has " + std::to_string(row.size()) + " columns, must have " +
+            std::to_string(mostColumns));
       }
       rows.emplace_back(line.number, std::move(row));
     }
@@ -217,7 +219,7 @@ RingTable parseDiskFit(
   const auto rows = readRows(output, file);
   if (rows.empty())
   {
-    throw Error(file, "Fitted velocity components", "missing: not the output of a velocity fit");
+    throw Error(file, "Fitted velocity components", "missing; give the output of a velocity fit");
   }
   const double scale = pixelScale(output, options, file);
   const Warp warp(output, rows.back().second[0]);

@@ -99,32 +99,32 @@ void checkRing(
   const auto fail = [&](const char* what) { throw Error(file, where, what); };
   if (ring.radius < 0)
   {
-    fail("the radius is negative");
+    fail("the radius must be at least 0");
   }
   if (before != nullptr && ring.radius < before->radius)
   {
-    fail("the radius is smaller than that of the ring before");
+    fail("the radius must not be smaller than that of the ring before");
   }
   if (ring.scaleHeight < 0)
   {
-    fail("the scale height is negative");
+    fail("the scale height must be at least 0");
   }
   if (!(ring.radius <= halfSky && ring.scaleHeight <= halfSky))
   {
-    fail("the ring is larger than the sky");
+    fail("the ring is larger than the sky; check the units of radius and scale height");
   }
   for (const double velocity : { ring.rotationVelocity, ring.expansionVelocity })
   {
     if (!(std::abs(velocity) <= lightSpeed))
     {
-      fail("a velocity is greater than that of light");
+      fail("a velocity is greater than that of light; check its unit");
     }
   }
   for (const double angle : { ring.inclination, ring.positionAngle })
   {
     if (!(std::abs(angle) <= 3600))
     {
-      fail("an angle is more than ten turns");
+      fail("an angle is more than ten turns; check the columns' order");
     }
   }
 }
@@ -141,7 +141,7 @@ RingTable parseRingTable(
   RingTable table = parse(splitLines(text), file, options);
   if (table.rings.empty())
   {
-    throw Error(file, "", "holds no rings");
+    throw Error(file, "", "holds no rings; give a row for each: r vrot Z0 i PA");
   }
   unwrap(table.rings, &Ring::positionAngle);
   unwrap(table.rings, &Ring::inclination);

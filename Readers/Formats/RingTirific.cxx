@@ -69,14 +69,14 @@ std::vector<Ring> ringsAtRadii(const TirificKeywords& keywords, const std::strin
   const std::vector<double> radii = keywords.numbers("RADI");
   if (radii.empty())
   {
-    throw Error(file, keywords.where("RADI"), "missing: no rings at all");
+    throw Error(file, keywords.where("RADI"), "missing; give the radius of every ring");
   }
   constexpr int mostRings = 1000000;
   const int count = keywords.whole("NUR", 1, mostRings, static_cast<int>(radii.size()));
   if (static_cast<int>(radii.size()) < count)
   {
     throw Error(file, keywords.where("RADI"),
-      "has " + std::to_string(radii.size()) + " values, NUR asks for " + std::to_string(count));
+      "has " + std::to_string(radii.size()) + " values, must have NUR = " + std::to_string(count));
   }
   std::vector<Ring> rings(count);
   for (int i = 0; i < count; ++i)
@@ -114,7 +114,8 @@ RingTable readDisk(const TirificKeywords& keywords, int disk, const std::string&
     const std::vector<double> values = keywords.numbers(keyword);
     if (values.empty() && parameter.required)
     {
-      throw Error(file, keywords.where(keyword), "missing, or without a value");
+      throw Error(file, keywords.where(keyword),
+        "missing, or without a value; give one a ring, or one for all");
     }
     for (std::size_t i = 0; i < table.rings.size() && !values.empty(); ++i)
     {
@@ -172,7 +173,7 @@ int otherHalf(const TirificKeywords& keywords, int disk, int disks, const std::s
     }
   }
   throw Error(file, keywords.where(ofDisk("AZ1W", disk)),
-    "no disk is the other half of disk " + std::to_string(disk) + ": it has no second side");
+    "no disk is the other half of disk " + std::to_string(disk) + "; use ring_sides = \"First\"");
 }
 
 /// Moves every value half way to the other side's, angles by the shorter way.
@@ -211,7 +212,8 @@ RingTable parseTirific(
   if (options.disk < 1 || options.disk > disks)
   {
     throw Error(file, keywords.where("NDISKS"),
-      "there is no disk " + std::to_string(options.disk) + " among " + std::to_string(disks));
+      "there is no disk " + std::to_string(options.disk) + "; choose ring_disk from 1 to " +
+        std::to_string(disks));
   }
   if (options.sides == RingSides::First)
   {

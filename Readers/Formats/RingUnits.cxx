@@ -46,7 +46,7 @@ bool look(const Units& units, const std::string& unit, double& factor)
 [[noreturn]] void failWithout(const std::string& file, const std::string& column,
   const std::string& unit, const std::string& what)
 {
-  throw Error(file, column, "is in " + unit + ", which needs " + what);
+  throw Error(file, column, "is in " + unit + "; give " + what);
 }
 
 double lengthFactor(const std::string& unit, const RingOptions& options, const std::string& file,
@@ -61,7 +61,7 @@ double lengthFactor(const std::string& unit, const RingOptions& options, const s
   {
     if (!(options.distance > 0))
     {
-      failWithout(file, column, unit, "the distance (Distance of the ring reader)");
+      failWithout(file, column, unit, "the distance in Mpc: Distance of the ring reader");
     }
     return factor / kpcPerArcsec(options.distance);
   }
@@ -70,11 +70,13 @@ double lengthFactor(const std::string& unit, const RingOptions& options, const s
     if (!(options.pixelScale > 0))
     {
       failWithout(file, column, unit,
-        "the size of a pixel: ring_pixel_scale in [galaxy], PixelScale of the ring reader");
+        "the size of a pixel in arcsec: ring_pixel_scale in [galaxy], PixelScale of the ring "
+        "reader");
     }
     return options.pixelScale;
   }
-  throw Error(file, column, "'" + unit + "' is no unit of length known here");
+  throw Error(file, column,
+    "'" + unit + "' is no unit of length known here; use arcsec, arcmin, deg, pc, kpc or pix");
 }
 } // namespace
 
@@ -117,7 +119,8 @@ double unitFactor(Dimension dimension, const std::string& unit, const RingOption
   if (!look(isAngle ? angles : velocities, unit, factor))
   {
     throw Error(file, column,
-      "'" + unit + "' is no unit of " + (isAngle ? "angle" : "velocity") + " known here");
+      "'" + unit + "' is no unit of " +
+        (isAngle ? "angle known here; use deg or rad" : "velocity known here; use km/s or m/s"));
   }
   return factor;
 }

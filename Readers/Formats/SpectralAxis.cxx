@@ -10,6 +10,16 @@ namespace
 {
 constexpr double speedOfLight = 299792.458; // km/s
 
+/// A range of velocities that the header cannot tell the planes of.
+class NoVelocities : public Error
+{
+public:
+  NoVelocities(const std::string& file, const std::string& where, const std::string& what)
+    : Error(file, where, what + "; choose planes in place of a velocity range")
+  {
+  }
+};
+
 std::string typeOf(const FitsHdu& hdu, std::size_t axis)
 {
   return upperCase(hdu.header.text(fitsKeyword("CTYPE", axis + 1)).value_or(""));
@@ -45,7 +55,8 @@ double unitOf(
       return unit.value;
     }
   }
-  throw Error(file, keyword, isFrequency ? "not a unit of frequency" : "not a unit of velocity");
+  throw NoVelocities(file, keyword,
+    "'" + name + "' is no unit of " + (isFrequency ? "frequency" : "velocity") + " known here");
 }
 } // namespace
 
@@ -62,7 +73,7 @@ SpectralAxis::SpectralAxis(
   }
   if (this->axis == hdu.axes.size())
   {
-    throw Error(file, "velocity range",
+    throw NoVelocities(file, "velocity range",
       "the image has no axis of velocities (CTYPE VELO, VRAD, VOPT, FELO) or frequencies (FREQ)");
   }
   this->count = static_cast<long>(hdu.axes[this->axis]);
@@ -82,7 +93,7 @@ void SpectralAxis::readLaw(const std::string& file, const FitsHdu& hdu)
   }
   else if (algorithm)
   {
-    throw Error(file, fitsKeyword("CTYPE", this->axis + 1),
+    throw NoVelocities(file, fitsKeyword("CTYPE", this->axis + 1),
       "velocities by '" + type + "' are not linear along the axis, which is not supported");
   }
   else if (kind == "FREQ")
@@ -92,7 +103,7 @@ void SpectralAxis::readLaw(const std::string& file, const FitsHdu& hdu)
     this->rest = modern > 0 ? modern : hdu.header.number("RESTFREQ").value_or(0);
     if (!(this->rest > 0))
     {
-      throw Error(file, "RESTFRQ", "frequencies become velocities only by a rest frequency");
+      throw NoVelocities(file, "RESTFRQ", "frequencies become velocities only by a rest frequency");
     }
   }
 }
@@ -112,7 +123,7 @@ void SpectralAxis::readScale(const std::string& file, const FitsHdu& hdu)
   this->pixel = hdu.header.number(fitsKeyword("CRPIX", number)).value_or(0);
   if (this->increment == 0 || !std::isfinite(this->increment) || !std::isfinite(this->reference))
   {
-    throw Error(file, fitsKeyword("CDELT", number), "the spectral axis has no increment");
+    throw NoVelocities(file, fitsKeyword("CDELT", number), "the spectral axis has no increment");
   }
 }
 

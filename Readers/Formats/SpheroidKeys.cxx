@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <optional>
 
 namespace galaxy
 {
@@ -79,38 +80,38 @@ public:
   void belongsTo(const char* key, std::initializer_list<Profile> profiles) const
   {
     const Profile own = this->spheroid.profile;
-    if (std::find(profiles.begin(), profiles.end(), own) == profiles.end())
+    const auto value = this->given(key);
+    if (value && std::find(profiles.begin(), profiles.end(), own) == profiles.end())
     {
-      this->failWhereGiven(key, "is no key of profile " + profileNames[static_cast<int>(own)]);
+      value->fail("is no key of profile " + profileNames[static_cast<int>(own)] + "; leave it out");
     }
   }
 
-  void excludes(const char* given, std::initializer_list<const char*> others) const
+  void excludes(const char* key, std::initializer_list<const char*> others) const
   {
     for (const char* other : others)
     {
-      if (this->table.contains(given))
+      const auto value = this->given(other);
+      if (value && this->given(key))
       {
-        this->failWhereGiven(
-          other, std::string("contradicts ") + given + ": give one or the other");
+        value->contradicts(key);
       }
     }
   }
 
-  void needs(const char* key, const char* other) const
+  void needs(const char* key, bool has, const char* what) const
   {
-    if (!this->table.contains(other))
+    const auto value = this->given(key);
+    if (value && !has)
     {
-      this->failWhereGiven(key, std::string("needs ") + other);
+      value->needs(what);
     }
   }
 
-  void failWhereGiven(const char* key, const std::string& what) const
+  std::optional<KeyValue> given(const char* key) const
   {
-    if (const toml::node* node = this->table.get(key))
-    {
-      KeyValue(this->section.file, key, *node).fail(what);
-    }
+    const toml::node* node = this->table.get(key);
+    return node ? std::make_optional<KeyValue>(this->section.file, key, *node) : std::nullopt;
   }
 
 private:
@@ -148,16 +149,14 @@ void checkSpheroid(const KeyValue& section, const S& spheroid)
   check.excludes("shells", { "axis_ratios", "position_angle", "inclination" });
   check.excludes("luminosity", { "central_brightness" });
   check.excludes("clusters", { "cluster_list" });
-  check.needs("light_fraction", "light_from");
-  if (!section.table().contains("luminosity") && !section.table().contains("light_from"))
-  {
-    check.failWhereGiven(
-      "cluster_list", "needs luminosity, the light of all of them, or light_from");
-  }
+  const bool hasSource = check.given("light_from").has_value();
+  check.needs("light_fraction", hasSource, "light_from");
+  check.needs("cluster_list", hasSource || check.given("luminosity"), "luminosity or light_from");
   const std::string complaint = truncationComplaint(spheroid);
-  if (!complaint.empty())
+  const auto truncation = check.given("truncation");
+  if (truncation && !complaint.empty())
   {
-    check.failWhereGiven("truncation", complaint);
+    truncation->fail(complaint);
   }
 }
 } // namespace

@@ -18,7 +18,7 @@ Vec3 skyPlace(const NumberTable& table, std::size_t row, const SkyFrame& sky, do
   Vec3 p;
   if (!sky.skyToPlane(position, p.x, p.y))
   {
-    table.fail(row, "ra, dec lie 90 degrees or more from the galaxy");
+    table.fail(row, "ra, dec must lie less than 90 degrees from the galaxy");
   }
   if (!table.has("distance"))
   {

@@ -97,8 +97,7 @@ void readThickness(const KeyValue& value, T& out)
   readTable(value.file, "[component.thickness]", table, thicknessKeys(), out);
   if (!out.profileTable.empty() && out.model != ThicknessModel::Flared)
   {
-    KeyValue(value.file, "profile_table", *table.get("profile_table"))
-      .fail("needs model = \"Flared\"");
+    KeyValue(value.file, "profile_table", *table.get("profile_table")).needs("model = \"Flared\"");
   }
 }
 

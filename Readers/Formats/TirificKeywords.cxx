@@ -62,7 +62,7 @@ TirificKeywords::TirificKeywords(const std::vector<TextLine>& lines, const std::
     if (!split(whole, this->all) && !whole.text.empty())
     {
       throw Error(file, "line " + std::to_string(whole.number),
-        "neither KEYWORD= values nor a comment: '" + whole.text.substr(0, 40) + "'");
+        "must be KEYWORD= values or a # comment, not '" + whole.text.substr(0, 40) + "'");
     }
     if (text.empty() && line.text.find('#') != std::string::npos)
     {
@@ -86,7 +86,8 @@ std::vector<double> TirificKeywords::numbers(const std::string& keyword) const
     if (!parseNumber(cell, number))
     {
       throw Error(this->file, this->where(keyword),
-        "value " + std::to_string(numbers.size() + 1) + " is not a finite number: '" + cell + "'");
+        "value " + std::to_string(numbers.size() + 1) + " must be a finite number, not '" + cell +
+          "'");
     }
     numbers.push_back(number);
   }

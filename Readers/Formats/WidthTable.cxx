@@ -55,7 +55,7 @@ std::vector<WidthAtRadius> readWidthTable(const std::string& file)
   }
   if (rows.empty())
   {
-    throw Error(file, "", "holds no row of radius and full width");
+    throw Error(file, "", "must hold rows of radius and full width in kpc");
   }
   return rows;
 }

@@ -256,7 +256,8 @@ WorldCoordinates::WorldCoordinates(const SuppliedCoordinates& supplied, int widt
   const int status = wcsset(&wcs);
   if (status != 0)
   {
-    throw Error("supplied coordinates", "", wcs_errmsg[status]);
+    throw Error("supplied coordinates", "ra, dec, pixel_scale",
+      std::string(wcs_errmsg[status]) + "; correct them");
   }
 }
 

@@ -26,7 +26,7 @@ MARKS = {"Sorted": "s", "Bounded": "o", "Preview": "^", "Overlapping": "D"}
 def newest_bench():
     programs = glob.glob(os.path.join(ROOT, "build*", "benchmarks", "galaxy_bench_accuracy"))
     if not programs:
-        sys.exit("galaxy_bench_accuracy is not built: Plugin/build.sh --tests builds it")
+        sys.exit("galaxy_bench_accuracy is not built; use Plugin/build.sh --tests")
     return max(programs, key=os.path.getmtime)
 
 

@@ -3,7 +3,7 @@
 
 #include "Filters/Export/ExportParticles.h"
 #include "Filters/Model/ParticleWriter.h"
-#include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -80,15 +80,7 @@ inline bool exportTo(const std::string& file, const ParticleTable& table, Partic
 inline std::string messageOf(
   const std::string& file, const ParticleTable& table, ParticleFormat format)
 {
-  try
-  {
-    exportTo(file, table, format);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { exportTo(file, table, format); });
 }
 
 /// Stars, gas, dust and a bulge in no order, every value another one.

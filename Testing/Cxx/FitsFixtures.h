@@ -2,6 +2,7 @@
 #define galaxy_FitsFixtures_h
 
 #include "Readers/Formats/FitsFile.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <fitsio.h>
 #include <gtest/gtest.h>
@@ -55,15 +56,7 @@ inline void addImage(fitsfile* file, int bitpix, std::vector<double> values, int
 
 inline std::string messageOf(const std::string& file, const galaxy::FitsSelection& selection = {})
 {
-  try
-  {
-    galaxy::readFitsImage(file, selection);
-  }
-  catch (const galaxy::Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { galaxy::readFitsImage(file, selection); });
 }
 
 inline bool contains(const std::string& text, const std::string& part)

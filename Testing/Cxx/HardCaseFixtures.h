@@ -4,7 +4,7 @@
 #include "Filters/Model/DiskInverse.h"
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Readers/Formats/BadPixels.h"
-#include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 #include "Testing/Cxx/LightFixtures.h"
 
 #include <gtest/gtest.h>
@@ -84,15 +84,7 @@ inline void expectFinite(const Particles& particles)
 
 inline std::string messageOf(const Galaxy& input)
 {
-  try
-  {
-    buildGalaxy(input);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { buildGalaxy(input); });
 }
 
 /// The picture's pixels as the particles show them from Earth, found by the picture's own world

@@ -1,6 +1,7 @@
 #include "Readers/Formats/BadPixels.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RegionList.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <fitsio.h>
 #include <gtest/gtest.h>
@@ -51,15 +52,7 @@ double areaOf(const PixelRegion& region)
 
 std::string messageOf(const std::string& text)
 {
-  try
-  {
-    parseRegions(text, "stars.reg", {});
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { parseRegions(text, "stars.reg", {}); });
 }
 
 /// Files of a test in a folder of their own.
@@ -190,12 +183,15 @@ TEST(RegionList, PhysicalPixelsFollowTheHeader)
 TEST(RegionList, ErrorsNameTheLine)
 {
   EXPECT_EQ(messageOf("image\n\nannulus(3,3,1,2)\n"),
-    "stars.reg: line 3: 'annulus' is not a shape; known are circle, ellipse, box, polygon");
-  EXPECT_EQ(messageOf("image\ncircle(3,3)\n"), "stars.reg: line 2: circle with 2 numbers");
-  EXPECT_EQ(messageOf("circle(3,x3,1)\n"), "stars.reg: line 1: 'x3' is not a number");
-  EXPECT_EQ(messageOf("image;circle(3,3,-1)\n"), "stars.reg: line 1: '-1' is not a length");
+    "stars.reg: line 3: 'annulus' is not a shape; use circle, ellipse, box or polygon");
+  EXPECT_EQ(messageOf("image\ncircle(3,3)\n"),
+    "stars.reg: line 2: circle with 2 numbers; give as many as DS9 or CASA write");
+  EXPECT_EQ(messageOf("circle(3,x3,1)\n"), "stars.reg: line 1: 'x3' must be a number");
+  EXPECT_EQ(messageOf("image;circle(3,3,-1)\n"),
+    "stars.reg: line 1: a length must be at least 0, not '-1'");
   EXPECT_EQ(messageOf("# fine\nfk5;circle(3,3,1\")\n"),
-    "stars.reg: line 2: sky coordinates need an image with celestial coordinates");
+    "stars.reg: line 2: sky coordinates need an image with celestial coordinates; use image "
+    "pixels");
   EXPECT_NE(messageOf("wcsq\ncircle(3,3,1)\n").find("line 1"), std::string::npos);
   EXPECT_NE(messageOf("#CRTF\nglobal coord=SUPERGAL\n").find("line 2"), std::string::npos);
   for (const char* odd : { "(", ")", "circle", "circle(", "-", "+", ";;", "circle[[", "box()" })

@@ -4,6 +4,7 @@
 #include "Readers/Formats/Brightness.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/Galaxy.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -185,17 +186,10 @@ TEST(Brightness, ColumnDensity)
 
 TEST(Brightness, NamesWhatIsMissing)
 {
-  try
-  {
-    galaxy::brightnessOf(field(11, 5, "Jy/beam", 1), {});
-    FAIL();
-  }
-  catch (const galaxy::Error& error)
-  {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find("field.fits: BMAJ: "), 0u) << message;
-    EXPECT_NE(message.find("`beam = [bmaj, bmin, bpa]`"), std::string::npos) << message;
-  }
+  const std::string message =
+    galaxy::errorOf([] { galaxy::brightnessOf(field(11, 5, "Jy/beam", 1), {}); });
+  EXPECT_EQ(message.find("field.fits: BMAJ: "), 0u) << message;
+  EXPECT_NE(message.find("`beam = [bmaj, bmin, bpa]`"), std::string::npos) << message;
   ImageDescription description;
   description.beam = 10;
   EXPECT_NEAR(galaxy::brightnessOf(field(11, 5, "Jy/beam", 1), description).toSurface,

@@ -2,7 +2,7 @@
 
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/Model/GaussianBlur.h"
-#include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 #include "Testing/Cxx/ModelFixtures.h"
 
 #include <gtest/gtest.h>
@@ -86,15 +86,7 @@ double valueAt(const CleanImage& image, double pixel, double x, double y)
 
 std::string messageOf(const std::vector<CombineSource>& sources)
 {
-  try
-  {
-    combineImages(sources, 0, "m.galaxy", "hi");
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { combineImages(sources, 0, "m.galaxy", "hi"); });
 }
 } // namespace
 

@@ -1,6 +1,6 @@
 #include "Filters/Model/Deredden.h"
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/Extinction.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -30,15 +30,7 @@ Color absorptionOf(const std::string& lines)
 
 std::string messageOf(const std::string& text)
 {
-  try
-  {
-    parseGalaxyDescription(text, "m.galaxy");
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { parseGalaxyDescription(text, "m.galaxy"); });
 }
 
 void expectNear(const Color& color, const Color& expected, double tolerance)

@@ -181,7 +181,7 @@ TEST_F(FitsCube, MeanAcrossTwoFurtherAxes)
   selection.planes = { 1, 4 };
   EXPECT_EQ(readFitsImage(file, selection).values, (std::vector<double>{ 5, 6 }));
   selection.planes = { 4, 1 };
-  EXPECT_TRUE(contains(messageOf(file, selection), "the first is after the last"));
+  EXPECT_TRUE(contains(messageOf(file, selection), "the first must not be after the last"));
   selection.planes = { 0, 6 };
   EXPECT_TRUE(contains(messageOf(file, selection), "plane 6: out of range"));
 }

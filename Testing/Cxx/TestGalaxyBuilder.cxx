@@ -1,5 +1,6 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 #include "Testing/Cxx/ModelFixtures.h"
 
 #include <gtest/gtest.h>
@@ -69,15 +70,7 @@ bool equalParticles(const Particles& p, const Particles& q)
 
 std::string messageOf(const Galaxy& input)
 {
-  try
-  {
-    buildGalaxy(input);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { buildGalaxy(input); });
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyDescription.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -93,28 +94,12 @@ central_brightness = 4
 
 std::string messageOf(const std::string& text)
 {
-  try
-  {
-    parseGalaxyDescription(text, "some.galaxy");
-  }
-  catch (const galaxy::Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return galaxy::errorOf([&] { parseGalaxyDescription(text, "some.galaxy"); });
 }
 
 std::string groupMessageOf(const std::string& text)
 {
-  try
-  {
-    parseGroupDescription(text, "some.galaxygroup");
-  }
-  catch (const galaxy::Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return galaxy::errorOf([&] { parseGroupDescription(text, "some.galaxygroup"); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to)
@@ -207,11 +192,10 @@ TEST(GalaxyDescription, UnknownKeySuggestsTheNearest)
   EXPECT_EQ(messageOf(least + "[[components]]\n"),
     "some.galaxy: line 5: components: unknown key; did you mean `component`?");
   EXPECT_NE(
-    messageOf(least + "[xyzzy]\n").find("known are galaxy, image, component"), std::string::npos);
+    messageOf(least + "[xyzzy]\n").find("use one of galaxy, image, component"), std::string::npos);
   EXPECT_EQ(messageOf(replaced(full, "\"asinh\"", "\"asin\"")),
-    "some.galaxy: line 41: stretch: 'asin' is none of Linear, Sqrt, Asinh, Density, Log; did you "
-    "mean "
-    "`Asinh`?");
+    "some.galaxy: line 41: stretch: must be one of Linear, Sqrt, Asinh, Density, Log, not 'asin'; "
+    "did you mean `Asinh`?");
 }
 
 TEST(GalaxyDescription, PreparedAndCombinedImages)
@@ -232,12 +216,12 @@ TEST(GalaxyDescription, PreparedAndCombinedImages)
   EXPECT_EQ(messageOf(replaced(images, "\"high\", ", "")),
     "some.galaxy: line 13: combine: must be a list of 2 or more images' names, the sharpest first");
   EXPECT_EQ(messageOf(replaced(images, "signal_above = 3", "background = 3")),
-    "some.galaxy: line 14: background: has no place beside combine: give it to the images "
+    "some.galaxy: line 14: background: has no place beside combine; give it to the images "
     "combined");
   EXPECT_EQ(messageOf(replaced(images, "beam = 15", "signal_above = 3")),
-    "some.galaxy: line 9: signal_above: needs combine");
+    "some.galaxy: line 9: signal_above: needs combine; give it, or leave signal_above out");
   EXPECT_EQ(messageOf(replaced(full, "clip = [1, 9]", "clip = [1, 9], clip_percentile = [1, 9]")),
-    "some.galaxy: line 41: clip_percentile: contradicts clip: give one or the other");
+    "some.galaxy: line 41: clip_percentile: contradicts clip; give one or the other");
   EXPECT_EQ(messageOf(replaced(full, "clip = [1, 9]", "clip_percentile = [1, 101]")),
     "some.galaxy: line 41: clip_percentile: must be 0 to 100");
 }
@@ -257,8 +241,8 @@ TEST(GalaxyDescription, WrongTypeOrRange)
   expectAt("distance = 4.9", "distance = 1e300", "5: distance: must be at most 1e+30");
   expectAt("mock = true", "mock = 1", "10: mock: must be true or false");
   expectAt("credit = \"someone\"", "credit = 7", "11: credit: must be a text in quotes");
-  expectAt(
-    "background = \"auto\"", "background = \"none\"", "17: background: 'none' is none of Auto");
+  expectAt("background = \"auto\"", "background = \"none\"",
+    "17: background: must be a number or \"Auto\"");
   expectAt("pixel_scale = 1.5", "pixel_scale = -1", "25: pixel_scale: must be greater than 0");
   expectAt("[3, 4.5]", "[3]", "28: reference_pixel: must be a list of 2 numbers");
   expectAt("particles = 2e6", "particles = -1", "33: particles: must be 0 to 1099511627776");
@@ -275,24 +259,23 @@ TEST(GalaxyDescription, WrongTypeOrRange)
 
 TEST(GalaxyDescription, MissingAndContradicting)
 {
-  EXPECT_EQ(messageOf(""), "some.galaxy: galaxy: missing");
-  EXPECT_EQ(
-    messageOf("[galaxy]\nra = 1\ndec = 2\n"), "some.galaxy: line 1: distance: missing in [galaxy]");
+  EXPECT_EQ(messageOf(""), "some.galaxy: galaxy: missing; add a section [galaxy]");
+  EXPECT_EQ(messageOf("[galaxy]\nra = 1\ndec = 2\n"),
+    "some.galaxy: line 1: distance: missing in [galaxy]; give a number greater than 0, Mpc");
   EXPECT_EQ(messageOf(replaced(full, "file = \"a.fits\"\n", "")),
-    "some.galaxy: line 20: file: missing in [image.alpha]");
+    "some.galaxy: line 20: file: missing in [image.alpha]; give a FITS file");
   EXPECT_EQ(messageOf(replaced(full, "dec = -30\n", "")),
-    "some.galaxy: line 20: dec: missing in [image.alpha]");
+    "some.galaxy: line 20: dec: missing in [image.alpha]; give a number, degrees");
   EXPECT_EQ(messageOf(replaced(full, "pixel_scale = 1.5\n", "")),
-    "some.galaxy: line 23: ra: needs pixel_scale: coordinates are supplied as a whole or not at "
-    "all");
+    "some.galaxy: line 23: ra: needs pixel_scale; give it, or leave ra out");
   EXPECT_EQ(messageOf(replaced(full, "mock = true", "radius = 3")),
-    "some.galaxy: line 10: radius: contradicts rings: give one or the other");
+    "some.galaxy: line 10: radius: contradicts rings; give one or the other");
   EXPECT_EQ(messageOf(replaced(full, "\"alpha\" }", "\"alfa\" }")),
     "some.galaxy: line 42: image: there is no [image.alfa]; did you mean `alpha`?");
   EXPECT_EQ(messageOf(replaced(full, "\"bulge\"", "\"dust\"")),
-    "some.galaxy: line 65: name: there is another component 'dust'");
+    "some.galaxy: line 65: name: there is another component 'dust'; give each its own name");
   EXPECT_EQ(messageOf(least + "[[component]]\nname = \"bare\"\n"),
-    "some.galaxy: line 5: layers: missing: a disk needs layers, or profile = \"Exponential\"");
+    "some.galaxy: line 5: layers: missing; give a disk layers, or profile = \"Exponential\"");
 }
 
 TEST(GalaxyDescription, NoMoreComponentsThanAByteCounts)
@@ -304,7 +287,7 @@ TEST(GalaxyDescription, NoMoreComponentsThanAByteCounts)
   }
   EXPECT_EQ(messageOf(text), "");
   EXPECT_EQ(messageOf(text + "[[component]]\n"),
-    "some.galaxy: line 770: component: more than 255 components");
+    "some.galaxy: line 770: component: more than 255 components; leave some out");
 }
 
 TEST(GalaxyDescription, BrokenToml)
@@ -328,12 +311,14 @@ TEST(GroupDescription, MembersAndErrors)
   EXPECT_EQ(group.members[0].magnification, 1);
   EXPECT_EQ(group.members[1].magnification, 2);
   EXPECT_EQ(groupMessageOf(member), "");
-  EXPECT_EQ(groupMessageOf(""), "some.galaxygroup: member: missing");
-  EXPECT_EQ(groupMessageOf("member = []\n"), "some.galaxygroup: member: missing");
-  EXPECT_EQ(
-    groupMessageOf("[[member]]\n"), "some.galaxygroup: line 1: galaxy: missing in [[member]]");
+  const std::string none =
+    "some.galaxygroup: member: missing; add a section [[member]] for every galaxy";
+  EXPECT_EQ(groupMessageOf(""), none);
+  EXPECT_EQ(groupMessageOf("member = []\n"), none);
+  EXPECT_EQ(groupMessageOf("[[member]]\n"),
+    "some.galaxygroup: line 1: galaxy: missing in [[member]]; give a text");
   EXPECT_EQ(groupMessageOf(member + "magnify = 2\n"),
-    "some.galaxygroup: line 3: magnify: unknown key of [[member]]; known are galaxy, "
+    "some.galaxygroup: line 3: magnify: unknown key of [[member]]; use one of galaxy, "
     "magnification");
 }
 

@@ -1,5 +1,6 @@
 #include "Filters/Model/OpticalDepth.h"
 #include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -44,33 +45,19 @@ DepthImage imageIn(const std::string& unit)
 std::string messageOf(
   const ComponentDescription& component, const DepthImage* image, const DepthImage* companion)
 {
-  try
-  {
-    const OpticalDepth depth(component, "m.galaxy", image, companion);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { const OpticalDepth depth(component, "m.galaxy", image, companion); });
 }
 
 std::string parseMessageOf(const std::string& lines)
 {
-  try
-  {
+  return errorOf([&] {
     parseGalaxyDescription(
       "[galaxy]\nra = 204\ndec = -29\ndistance = 4.9\n[image.dust]\nfile = \"d.fits\"\n"
       "[image.stars]\nfile = \"s.fits\"\n[[component]]\nname = \"dust\"\n"
       "layers = [ { image = \"dust\" } ]\n" +
         lines,
       "m.galaxy");
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  });
 }
 } // namespace
 
@@ -256,19 +243,13 @@ TEST(OpticalDepth, KeysAreCheckedAgainstTheCalibration)
 TEST(OpticalDepth, KeysOfAClippedIntensityAreRefusedWhereTheImageTellsTheDepth)
 {
   const auto messageOfLayer = [](const std::string& calibration, const std::string& keys) {
-    try
-    {
+    return errorOf([&] {
       parseGalaxyDescription("[galaxy]\nra = 204\ndec = -29\ndistance = 4.9\n[image.dust]\n"
                              "file = \"d.fits\"\n[[component]]\nname = \"dust\"\nrole = "
                              "\"Absorbs\"\ncalibration = \"" +
           calibration + "\"\nlayers = [ { image = \"dust\", " + keys + " } ]\n",
         "m.galaxy");
-    }
-    catch (const Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    });
   };
   for (const char* calibration : { "PAH8um", "Gas", "Dust250um" })
   {

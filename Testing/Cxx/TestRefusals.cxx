@@ -4,6 +4,7 @@
 #include "Filters/Model/GroupBuilder.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
+#include "Testing/Cxx/ErrorOf.h"
 #include "Testing/Cxx/FitsFixtures.h"
 #include "Testing/Cxx/HardCaseFixtures.h"
 #include "Testing/Cxx/RefusalFixtures.h"
@@ -60,8 +61,7 @@ protected:
   {
     const std::string file = this->path("scene.galaxy");
     std::ofstream(file) << text;
-    try
-    {
+    return errorOf([&] {
       BuildOptions options;
       options.velocities = true;
       const Particles particles = buildGalaxy(readGalaxy(file), options);
@@ -71,12 +71,7 @@ protected:
         EXPECT_TRUE(std::isfinite(info.size) && std::isfinite(info.brightness));
         EXPECT_TRUE(std::isfinite(info.absorption[0] + info.absorption[1] + info.absorption[2]));
       }
-      return "";
-    }
-    catch (const Error& error)
-    {
-      return error.what();
-    }
+    });
   }
 
   std::string refusalOf(const NumericKey& key, std::vector<std::string> numbers) const
@@ -210,17 +205,11 @@ TEST_F(Refusals, OfAGroup)
 {
   std::ofstream(this->path("scene.galaxy")) << Scene({}).text();
   const auto refusal = [&](const std::string& group, const std::string& member) {
-    try
-    {
+    return errorOf([&] {
       expectFinite(buildGroup(parseGroupDescription(
         "[group]\n" + group + "[[member]]\ngalaxy = 'scene.galaxy'\n" + member,
         this->path("a.galaxygroup"))));
-    }
-    catch (const Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    });
   };
   EXPECT_EQ(refusal("magnification = 2\nseparation = 3\n", "magnification = 0.5\n"), "");
   for (const char* extreme : extremes)
@@ -259,14 +248,9 @@ TEST(BuildOptions, AreRefusedByTheirNames)
     std::string texts;
     for (const bool seedsAlone : { false, true })
     {
-      try
-      {
+      texts += errorOf([&] {
         seedsAlone ? void(buildSeeds(input, "stars", options)) : void(buildGalaxy(input, options));
-      }
-      catch (const Error& error)
-      {
-        texts += error.what();
-      }
+      });
     }
     return texts;
   };

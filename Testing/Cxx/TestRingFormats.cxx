@@ -1,5 +1,6 @@
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingTable.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -21,15 +22,7 @@ std::string real(const std::string& name)
 
 std::string messageOf(const std::string& text, const RingOptions& options = {})
 {
-  try
-  {
-    parseRingTable(text, "some.rings", options);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return errorOf([&] { parseRingTable(text, "some.rings", options); });
 }
 
 const RingColumn& column(const RingTable& table, const std::string& name)
@@ -92,7 +85,8 @@ TEST(RingFormats, DisksOfTirificAreChosenByNumber)
   EXPECT_EQ(second.rings[1].scaleHeight, 4);
   EXPECT_EQ(second.layerLaw, LayerLaw::Exponential);
   options.disk = 3;
-  EXPECT_EQ(messageOf(halves, options), "some.rings: line 1: NDISKS: there is no disk 3 among 2");
+  EXPECT_EQ(messageOf(halves, options),
+    "some.rings: line 1: NDISKS: there is no disk 3; choose ring_disk from 1 to 2");
   options = {};
   options.layerLaw = LayerLaw::Box;
   EXPECT_EQ(parseRingTable(halves, "some.def", options).layerLaw, LayerLaw::Box);
@@ -112,8 +106,8 @@ TEST(RingFormats, HalvesAreOneDisc)
   EXPECT_EQ(mean.rings[1].positionAngle, 360);
   EXPECT_EQ(mean.rings[1].scaleHeight, 2);
   EXPECT_EQ(column(mean, "SDIS").values, std::vector<double>({ 9, 9 }));
-  const std::string whole = "some.rings: line 8: AZ1W: no disk is the other half of disk 1: it has "
-                            "no second side";
+  const std::string whole = "some.rings: line 8: AZ1W: no disk is the other half of disk 1; use "
+                            "ring_sides = \"First\"";
   EXPECT_EQ(messageOf(replaced(halves, "AZ1P_2= 180", "AZ1P_2= 90"), options), whole);
   EXPECT_EQ(messageOf(replaced(halves, "AZ1W_2= 180", "AZ1W_2= 360"), options), whole);
 }
@@ -158,19 +152,21 @@ TEST(RingFormats, HeadingsHaveUnits)
 TEST(RingFormats, MissingScalesAreAskedFor)
 {
   EXPECT_EQ(messageOf("r_kpc,vrot,i,pa\n1,2,3,4\n"),
-    "some.rings: column 'r_kpc': is in kpc, which needs the distance (Distance of the ring "
-    "reader)");
+    "some.rings: column 'r_kpc': is in kpc; give the distance in Mpc: Distance of the ring "
+    "reader");
   EXPECT_EQ(messageOf("r[pix],vrot,i,pa\n1,2,3,4\n"),
-    "some.rings: column 'r[pix]': is in pix, which needs the size of a pixel: ring_pixel_scale in "
-    "[galaxy], PixelScale of the ring reader");
+    "some.rings: column 'r[pix]': is in pix; give the size of a pixel in arcsec: "
+    "ring_pixel_scale in [galaxy], PixelScale of the ring reader");
   EXPECT_EQ(messageOf("r[furlong],vrot,i,pa\n1,2,3,4\n"),
-    "some.rings: column 'r[furlong]': 'furlong' is no unit of length known here");
+    "some.rings: column 'r[furlong]': 'furlong' is no unit of length known here; use arcsec, "
+    "arcmin, deg, pc, "
+    "kpc or pix");
   EXPECT_EQ(messageOf("r,vrot(mph),i,pa\n1,2,3,4\n"),
-    "some.rings: column 'vrot(mph)': 'mph' is no unit of velocity known here");
+    "some.rings: column 'vrot(mph)': 'mph' is no unit of velocity known here; use km/s or m/s");
   EXPECT_EQ(messageOf("r,velocity,i,pa\n1,2,3,4\n"),
-    "some.rings: line 1: the heading names no column vrot");
+    "some.rings: line 1: the heading must name a column vrot");
   EXPECT_EQ(messageOf("r,vrot,i,pa\n1,,3,4\n"),
-    "some.rings: line 2: column 2 (vrot) is not a finite number: ''");
+    "some.rings: line 2: column 2 (vrot) must be a finite number, not ''");
 }
 
 TEST(RingFormats, FurtherColumnsAreKept)
@@ -236,15 +232,18 @@ TEST(RingFormats, DiskFitNeedsAPixelScale)
   EXPECT_EQ(parseRingTable(without, "x", options).rings[0].radius, 30);
   EXPECT_NE(messageOf("Minimization output, phot\n").find("velocity fit"), std::string::npos);
   EXPECT_EQ(messageOf(replaced(diskFit, "62.84", "*****")),
-    "some.rings: line 27: column Vt is not a finite number: '*****'");
+    "some.rings: line 27: column Vt must be a finite number, not '*****'");
 }
 
 TEST(RingFormats, AbsurdNumbersAreRefused)
 {
-  EXPECT_EQ(messageOf("1e308 1 1 1 1\n"), "some.rings: line 1: the ring is larger than the sky");
-  EXPECT_EQ(
-    messageOf("0 1e308 1 1 1\n"), "some.rings: line 1: a velocity is greater than that of light");
-  EXPECT_EQ(messageOf("0 1 1 1e308 1\n"), "some.rings: line 1: an angle is more than ten turns");
+  EXPECT_EQ(messageOf("1e308 1 1 1 1\n"),
+    "some.rings: line 1: the ring is larger than the sky; check the units of radius and scale "
+    "height");
+  EXPECT_EQ(messageOf("0 1e308 1 1 1\n"),
+    "some.rings: line 1: a velocity is greater than that of light; check its unit");
+  EXPECT_EQ(messageOf("0 1 1 1e308 1\n"),
+    "some.rings: line 1: an angle is more than ten turns; check the columns' order");
   EXPECT_EQ(messageOf("NUR= 2147483647\nRADI= 0 1\nVROT= 1\nINCL= 1\nPA= 1\n"),
     "some.rings: line 1: NUR: must be a whole number from 1 to 1000000");
   EXPECT_EQ(messageOf("-0 1 -0 1 -0\n"), "");

@@ -1,5 +1,6 @@
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingTable.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -8,15 +9,7 @@ namespace
 /// The message of the Error that this text causes, or "" where it causes none.
 std::string messageOf(const std::string& text)
 {
-  try
-  {
-    galaxy::parseRingTable(text, "some.rings");
-  }
-  catch (const galaxy::Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return galaxy::errorOf([&] { galaxy::parseRingTable(text, "some.rings"); });
 }
 
 const std::string rotcurRow = "86.00 43.00 513.10 0.5 68.84 1.15 -3.5 0.25 224.46 0.75 48.50 0.1 "
@@ -134,45 +127,48 @@ TEST(RingTable, BadColumnsNameTheirLine)
   const std::string good = "# heading\n0 100 3 40 200\n";
   EXPECT_EQ(messageOf(good), "");
   EXPECT_EQ(messageOf(good + "9 100 x3 40 200\n"),
-    "some.rings: line 3: column 3 (Z0) is not a finite number: 'x3'");
+    "some.rings: line 3: column 3 (Z0) must be a finite number, not 'x3'");
   EXPECT_EQ(messageOf(good + "\n9 nan 3 40 200\n"),
-    "some.rings: line 4: column 2 (vrot) is not a finite number: 'nan'");
+    "some.rings: line 4: column 2 (vrot) must be a finite number, not 'nan'");
   EXPECT_EQ(messageOf(good + "9 100 3 inf 200\n"),
-    "some.rings: line 3: column 4 (i) is not a finite number: 'inf'");
+    "some.rings: line 3: column 4 (i) must be a finite number, not 'inf'");
   EXPECT_EQ(messageOf(good + "9 100 3 40\n"),
-    "some.rings: line 3: too few columns: 4, expected 5 columns (r vrot Z0 i PA)");
+    "some.rings: line 3: has 4 columns, must have 5 (r vrot Z0 i PA)");
   EXPECT_EQ(messageOf(good + "9 100 3 40 200 1\n"),
-    "some.rings: line 3: too many columns: 6, expected 5 columns (r vrot Z0 i PA)");
+    "some.rings: line 3: has 6 columns, must have 5 (r vrot Z0 i PA)");
   EXPECT_EQ(messageOf(good + "9 1 3 40 200\n8 1 3 40 200\n"),
-    "some.rings: line 4: the radius is smaller than that of the ring before");
-  EXPECT_EQ(messageOf("-1 100 3 40 200\n"), "some.rings: line 1: the radius is negative");
-  EXPECT_EQ(messageOf("1 100 -3 40 200\n"), "some.rings: line 1: the scale height is negative");
+    "some.rings: line 4: the radius must not be smaller than that of the ring before");
+  EXPECT_EQ(messageOf("-1 100 3 40 200\n"), "some.rings: line 1: the radius must be at least 0");
+  EXPECT_EQ(
+    messageOf("1 100 -3 40 200\n"), "some.rings: line 1: the scale height must be at least 0");
   EXPECT_EQ(messageOf("1e999 100 3 40 200\n"),
-    "some.rings: line 1: column 1 (r) is not a finite number: '1e999'");
-  EXPECT_EQ(messageOf("# only\n! comments\n\n"), "some.rings: holds no rings");
-  EXPECT_EQ(messageOf(""), "some.rings: holds no rings");
+    "some.rings: line 1: column 1 (r) must be a finite number, not '1e999'");
+  const std::string none = "some.rings: holds no rings; give a row for each: r vrot Z0 i PA";
+  EXPECT_EQ(messageOf("# only\n! comments\n\n"), none);
+  EXPECT_EQ(messageOf(""), none);
   EXPECT_EQ(messageOf("! ROTCUR\n1 2 3\n"),
-    "some.rings: line 2: too few columns: 3, expected a ROTCUR row of at least 11 columns");
+    "some.rings: line 2: has 3 columns, must have at least 11 of ROTCUR");
 }
 
 TEST(RingTable, BadTirificNamesLineAndKeyword)
 {
   EXPECT_EQ(messageOf(tirific), "");
   EXPECT_EQ(messageOf(replaced(tirific, "61", "6l")),
-    "some.rings: line 10: INCL: value 2 is not a finite number: '6l'");
+    "some.rings: line 10: INCL: value 2 must be a finite number, not '6l'");
   EXPECT_EQ(messageOf(replaced(tirific, "NUR= 4", "NUR= 5")),
-    "some.rings: line 6: RADI: has 4 values, NUR asks for 5");
+    "some.rings: line 6: RADI: has 4 values, must have NUR = 5");
   EXPECT_EQ(messageOf(replaced(tirific, "NUR= 4", "NUR= 0")),
     "some.rings: line 5: NUR: must be a whole number from 1 to 1000000");
   EXPECT_EQ(messageOf(replaced(tirific, "PA= 350 355 0 5", "")),
-    "some.rings: PA: missing, or without a value");
+    "some.rings: PA: missing, or without a value; give one a ring, or one for all");
   EXPECT_EQ(messageOf(replaced(tirific, "LTYPE= 3.0", "LTYPE= 6")),
     "some.rings: line 16: LTYPE: must be a whole number from 1 to 5");
   EXPECT_EQ(messageOf(replaced(tirific, "30 45", "10 45")),
-    "some.rings: line 6: RADI, ring 3: the radius is smaller than that of the ring before");
+    "some.rings: line 6: RADI, ring 3: the radius must not be smaller than that of the ring "
+    "before");
   EXPECT_EQ(messageOf(replaced(tirific, "BOX=", "BOX")),
-    "some.rings: line 3: neither KEYWORD= values nor a comment: 'BOX'");
-  EXPECT_EQ(messageOf("NUR= 3\n"), "some.rings: RADI: missing: no rings at all");
+    "some.rings: line 3: must be KEYWORD= values or a # comment, not 'BOX'");
+  EXPECT_EQ(messageOf("NUR= 3\n"), "some.rings: RADI: missing; give the radius of every ring");
 }
 
 TEST(RingTable, MissingFile)

@@ -1,6 +1,7 @@
 #include "Filters/Model/Random.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 #include "Testing/Cxx/ModelFixtures.h"
 
 #include <gtest/gtest.h>
@@ -350,15 +351,8 @@ TEST(Smoothing, RefusesWhatIsOutOfRange)
   const auto refused = [](const char* name, auto change) {
     SmoothingDescription smoothing;
     change(smoothing);
-    try
-    {
-      lengths({ 1, 2, 3 }, smoothing);
-      FAIL() << name;
-    }
-    catch (const Error& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
-    }
+    const std::string message = errorOf([&] { lengths({ 1, 2, 3 }, smoothing); });
+    EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
   };
   refused("factor", [](auto& s) { s.factor = 0; });
   refused("neighbours", [](auto& s) { s.neighbours = 0; });

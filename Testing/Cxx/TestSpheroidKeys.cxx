@@ -1,6 +1,6 @@
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/SpheroidTables.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -23,23 +23,9 @@ SpheroidDescription parsed(const std::string& keys)
   return parseGalaxyDescription(head + keys, "some.galaxy").components[1].spheroid;
 }
 
-template <class Action>
-std::string messageOf(const Action& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 std::string messageOfKeys(const std::string& keys)
 {
-  return messageOf([&] { parsed(keys); });
+  return errorOf([&] { parsed(keys); });
 }
 
 /// A text file that lives as long as this.
@@ -181,7 +167,7 @@ TEST(SpheroidKeys, LightIsTakenFromTheLayersOfAnEmittingDiskOnly)
   const auto messageOfDisk = [](const std::string& keys) {
     std::string text = head + "light_from = \"stars\"\n";
     text.insert(text.find("layers = "), keys);
-    return messageOf([&] { parseGalaxyDescription(text, "some.galaxy"); });
+    return errorOf([&] { parseGalaxyDescription(text, "some.galaxy"); });
   };
   EXPECT_EQ(messageOfDisk(""), "");
   for (const char* keys :
@@ -200,8 +186,7 @@ TEST(SpheroidKeys, DescriptionsOutOfRangeAreRefusedByName)
     SpheroidDescription spheroid;
     requireInRange(spheroid, "some.galaxy", "bulge");
     change(spheroid);
-    const std::string message =
-      messageOf([&] { requireInRange(spheroid, "some.galaxy", "bulge"); });
+    const std::string message = errorOf([&] { requireInRange(spheroid, "some.galaxy", "bulge"); });
     EXPECT_EQ(message.find(std::string("some.galaxy: bulge: spheroid: ") + name + " must be "), 0u)
       << message;
   };
@@ -296,14 +281,14 @@ TEST(SpheroidKeys, ClusterListOnTheSky)
 TEST(SpheroidKeys, ErrorsOfListsNameTheLine)
 {
   const std::vector<std::pair<std::string, std::string>> refused = {
-    { "x,y,z\n1,2,3\n1,2\n", "line 3: 2 columns, where the heading has 3" },
-    { "x,y,z\n\n1,b,3\n", "line 3: y is not a finite number: 'b'" },
-    { "x,y\n1,2\n", "the heading names no column z" },
-    { "a,b\n1,2\n", "the heading names no column ra" },
-    { "x,y,z\n", "no rows" },
-    { "", "no rows" },
+    { "x,y,z\n1,2,3\n1,2\n", "line 3: has 2 columns, must have 3" },
+    { "x,y,z\n\n1,b,3\n", "line 3: y must be a finite number, not 'b'" },
+    { "x,y\n1,2\n", "the heading must name a column z" },
+    { "a,b\n1,2\n", "the heading must name a column ra" },
+    { "x,y,z\n", "must hold rows" },
+    { "", "must hold rows" },
     { "ra,dec\n10,91\n", "line 2: dec must be -90 to 90" },
-    { "ra,dec\n24.2504,29.8678\n", "line 2: ra, dec lie 90 degrees or more" },
+    { "ra,dec\n24.2504,29.8678\n", "line 2: ra, dec must lie less than 90 degrees" },
     { "ra,dec,distance\n204,-29,0\n", "line 2: distance must be greater than 0" },
     { "x,y,z,luminosity\n1,2,3,-1\n", "line 2: luminosity must be at least 0" },
     { "x,y,z,luminosity\n1,2,3,0\n", "luminosity: the sum must be greater than 0" },
@@ -311,7 +296,7 @@ TEST(SpheroidKeys, ErrorsOfListsNameTheLine)
   };
   for (const auto& [text, expected] : refused)
   {
-    const std::string message = messageOf([&text = text] { clustersOf(text); });
+    const std::string message = errorOf([&text = text] { clustersOf(text); });
     EXPECT_NE(message.find(expected), std::string::npos) << text << " gave: " << message;
     EXPECT_NE(message.find("ErrorsOfListsNameTheLine"), std::string::npos) << "the file";
   }
@@ -340,12 +325,12 @@ TEST(SpheroidKeys, ErrorsOfShellsNameTheLine)
     { "1,1,1,0,0\n1,1,1,0,0\n", "line 3: semi_major must be greater than in the row before" },
     { "1,0,1,0,0\n", "line 2: axis_ratio_b must be 0 to 1" },
     { "1,1,1.5,0,0\n", "line 2: axis_ratio_c must be 0 to 1" },
-    { "1,1,1,nan,0\n", "line 2: position_angle is not a finite number" },
+    { "1,1,1,nan,0\n", "line 2: position_angle must be a finite number" },
     { "1,1,1,0,200\n", "line 2: inclination must be -180 to 180" },
   };
   for (const auto& [rows, expected] : refused)
   {
-    const std::string message = messageOf([text = heading + rows] { shellsOf(text); });
+    const std::string message = errorOf([text = heading + rows] { shellsOf(text); });
     EXPECT_NE(message.find(expected), std::string::npos) << rows << " gave: " << message;
   }
 }

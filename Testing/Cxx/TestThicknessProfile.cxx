@@ -1,6 +1,6 @@
 #include "Filters/Model/ThicknessProfile.h"
 #include "Filters/Model/VerticalLaw.h"
-#include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 #include "Testing/Cxx/ThicknessFixtures.h"
 
 #include <gtest/gtest.h>
@@ -35,18 +35,6 @@ ThicknessDescription thicknessOf(const std::string& keys)
     .thickness;
 }
 
-std::string messageOf(const std::function<void()>& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "nothing was refused";
-}
 } // namespace
 
 TEST(ThicknessProfile, TaperedDiscTapers)
@@ -213,7 +201,7 @@ TEST(ThicknessProfile, MeasuredWidthsReplaceTheFormula)
   written("one.txt", "5 0.4");
   EXPECT_EQ(thicknessOf("model = \"Flared\"\nprofile_table = \"one.txt\"").profileTable.size(), 1u);
   const std::string message =
-    messageOf([] { thicknessOf("profile_table = \"one.txt\"\nmodel = \"Tapered\""); });
+    errorOf([] { thicknessOf("profile_table = \"one.txt\"\nmodel = \"Tapered\""); });
   EXPECT_NE(message.find("profile_table: needs model = \"Flared\""), std::string::npos) << message;
 }
 
@@ -226,7 +214,7 @@ TEST(ThicknessProfile, InheritedLightIsRefusedWherePixelsShareTheirFlux)
       "g.galaxy");
   };
   const std::string layers = "layers = [{ image = \"a\" }]\n";
-  const std::string message = messageOf([&] { read(layers); });
+  const std::string message = errorOf([&] { read(layers); });
   EXPECT_NE(message.find("line 11: child_light: "), std::string::npos) << message;
   EXPECT_NO_THROW(read(layers + "normalize_at = \"Seed\"\n"));
   EXPECT_NO_THROW(read(layers + "normalize_at = \"None\"\n"));
@@ -238,17 +226,17 @@ TEST(ThicknessProfile, UnusableWidthsAreRefusedWithTheirLine)
   const char* const cases[][3] = { { "a.txt", "r w\n1 2\n3\n", "line 3" },
     { "b.txt", "1 2\n3 x\n", "line 2" }, { "c.txt", "# c\n1 2\n1 3\n", "line 3" },
     { "d.txt", "1 -2\n", "line 1" }, { "e.txt", "1 2\n3 nan\n", "line 2" },
-    { "f.txt", "1 2 3\n", "line 1" }, { "g.txt", "radius fwhm\n", "no row" },
+    { "f.txt", "1 2 3\n", "line 1" }, { "g.txt", "radius fwhm\n", "must hold rows" },
     { "h.txt", "r w\nr w\n1 2\n", "line 2" } };
   for (const auto& [name, text, cause] : cases)
   {
     written(name, text);
     const std::string message =
-      messageOf([name = name] { thicknessOf("profile_table = \"" + std::string(name) + "\""); });
+      errorOf([name = name] { thicknessOf("profile_table = \"" + std::string(name) + "\""); });
     EXPECT_NE(message.find(name), std::string::npos) << message;
     EXPECT_NE(message.find(cause), std::string::npos) << message;
   }
-  const std::string message = messageOf([] { thicknessOf("profile_table = \"none.txt\""); });
+  const std::string message = errorOf([] { thicknessOf("profile_table = \"none.txt\""); });
   EXPECT_NE(message.find("none.txt"), std::string::npos) << message;
 }
 
@@ -278,7 +266,7 @@ TEST(ThicknessProfile, WhatIsOutOfRangeIsRefusedByName)
     {
       T thickness;
       thickness.*member = value;
-      const std::string message = messageOf([&] { requireInRange(thickness, "m.galaxy", "gas"); });
+      const std::string message = errorOf([&] { requireInRange(thickness, "m.galaxy", "gas"); });
       EXPECT_NE(message.find(name), std::string::npos) << message;
       EXPECT_NE(message.find("gas"), std::string::npos) << message;
     }
@@ -297,7 +285,7 @@ TEST(ThicknessProfile, WhatIsOutOfRangeIsRefusedByName)
   {
     T thickness;
     spoil(thickness);
-    const std::string message = messageOf([&] { requireInRange(thickness, "m.galaxy", "gas"); });
+    const std::string message = errorOf([&] { requireInRange(thickness, "m.galaxy", "gas"); });
     EXPECT_NE(message.find(name), std::string::npos) << message;
   }
 }

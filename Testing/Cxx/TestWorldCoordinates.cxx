@@ -2,6 +2,7 @@
 
 #include "Readers/Formats/CelestialFrame.h"
 #include "Readers/Formats/Error.h"
+#include "Testing/Cxx/ErrorOf.h"
 
 using namespace galaxy::testing;
 using galaxy::CelestialFrame;
@@ -232,17 +233,9 @@ TEST(WorldCoordinates, NoCelestialAxes)
   for (const Cards& cards : { Cards{ { "NAXIS", "2" } },
          with(with(simple("TAN", 1, 2), "CTYPE1", "'FREQ'"), "CTYPE2", "'STOKES'"), Cards{} })
   {
-    try
-    {
-      make(cards);
-      FAIL();
-    }
-    catch (const galaxy::Error& error)
-    {
-      const std::string message = error.what();
-      EXPECT_NE(message.find("`ra`, `dec` and `pixel_scale`"), std::string::npos) << message;
-      EXPECT_EQ(message.find("some.fits: CTYPE: "), 0u) << message;
-    }
+    const std::string message = galaxy::errorOf([&] { make(cards); });
+    EXPECT_NE(message.find("`ra`, `dec` and `pixel_scale`"), std::string::npos) << message;
+    EXPECT_EQ(message.find("some.fits: CTYPE: "), 0u) << message;
   }
 }
 

@@ -1,12 +1,13 @@
 // FuzzFits COUNT SEED FILES...|none
 //
 // Makes COUNT broken FITS files, from small ones of every kind that it writes itself and from
-// FILES, and reads each. An image or a galaxy::Error is right; a crash, another exception, a
-// sanitizer's report, more memory or more time than a small file needs is not, and ends the run.
-// The file at fault stays, and its path is printed.
+// FILES, and reads each. An image or a galaxy::Error that says what to do is right; a crash,
+// another exception, a sanitizer's report, more memory or more time than a small file needs is not,
+// and ends the run. The file at fault stays, and its path is printed.
 
 #include "Readers/Formats/FitsFile.h"
 #include "Testing/Fuzz/FitsSamples.h"
+#include "Testing/Instruction.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -177,7 +178,8 @@ galaxy::FitsSelection someSelection(Random& random)
   return selection;
 }
 
-/// 0 where the file is read, 1 where it is refused; anything else ends the process.
+/// 0 where the file is read, 1 where it is refused with an instruction; anything else ends the
+/// process.
 int readOne(const std::string& path, const galaxy::FitsSelection& selection)
 {
   alarm(mostSeconds);
@@ -186,9 +188,9 @@ int readOne(const std::string& path, const galaxy::FitsSelection& selection)
     const galaxy::Image image = galaxy::readFitsImage(path, selection);
     return image.values.size() == static_cast<std::size_t>(image.width) * image.height ? 0 : 3;
   }
-  catch (const galaxy::Error&)
+  catch (const galaxy::Error& error)
   {
-    return 1;
+    return galaxy::saysWhatToDo(error) ? 1 : 3;
   }
 }
 

@@ -2,12 +2,13 @@
 //
 // Makes COUNT broken texts of each kind that the program reads, from small ones written here and
 // from FILES (ring models): tilted rings of every format, .galaxy and .galaxygroup descriptions,
-// and reads each. A result or a galaxy::Error is right; a crash, another exception, a sanitizer's
-// report or more memory than a text needs is not, and ends the run. The text at fault is printed.
+// and reads each. A result or a galaxy::Error that says what to do is right; a crash, another
+// exception, a sanitizer's report or more memory than a text needs is not, and ends the run. The
+// text at fault is printed.
 
-#include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/RingTable.h"
+#include "Testing/Instruction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -179,9 +180,9 @@ bool tryText(const Kind& kind, const std::string& text, Random& random, int& rea
     ++read;
     return sound;
   }
-  catch (const galaxy::Error&)
+  catch (const galaxy::Error& error)
   {
-    return true;
+    return galaxy::saysWhatToDo(error);
   }
   catch (const std::exception& exception)
   {

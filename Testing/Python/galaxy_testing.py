@@ -1,5 +1,6 @@
 """What the plugin's tests share."""
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -57,8 +58,13 @@ def particles(position, smoothing_length, **arrays):
     return producer
 
 
+INSTRUCTION = re.compile("must |; (add|check|choose|connect|correct|cut|did you mean|give|hide|"
+                         "leave|move|name|put|raise|repair|save|set|unpack|use) ")
+
+
 class Messages:
-    """Collects what VTK says while it is active, in place of printing it."""
+    """Collects what VTK says while it is active, in place of printing it, and fails where that does
+    not say what to do."""
 
     def __enter__(self):
         self.path = os.path.join(output_folder(), f"messages-{os.getpid()}.txt")
@@ -69,13 +75,15 @@ class Messages:
         vtkOutputWindow.SetInstance(window)
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, failure, *_):
         vtkOutputWindow.SetInstance(self.previous)
         self.text = ""
         if os.path.exists(self.path):
             with open(self.path, encoding="utf-8", errors="replace") as file:
                 self.text = file.read()
             os.remove(self.path)
+        if self.text and failure is None and not INSTRUCTION.search(self.text):
+            raise AssertionError("does not say what to do: " + self.text)
 
 
 def splat(source, size=64, **camera):

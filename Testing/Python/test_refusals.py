@@ -259,7 +259,7 @@ class Refusals(unittest.TestCase):
     def test_light_without_particles_is_said(self):
         said = self.messages_of("GalaxyModel", ParticleScale=0)
         self.assertIn("no particles for stars, counted, dust", said)
-        self.assertIn("ParticleScale is 0", said)
+        self.assertIn("; raise `particles` or ParticleScale", said)
 
     def test_blank_and_negative_pixels_are_counted(self):
         nan = float("nan")

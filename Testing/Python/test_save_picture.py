@@ -227,9 +227,9 @@ class SavePicture(unittest.TestCase):
             self.refused(picture, "none/a." + extension, "No such file or directory")
             os.makedirs(self.path("folder." + extension))
             self.refused(picture, "folder." + extension, "is a folder")
-            self.refused(simple.Wavelet(), "a." + extension, "has depth")
+            self.refused(simple.Wavelet(), "a." + extension, "must be one slice deep")
             self.refused(simple.Wavelet(WholeExtent=[0, 9, 0, 9, 0, 0]), "a." + extension,
-                         "no point array Radiance")
+                         "must have a point array Radiance")
         bright = gt.particles([[0, 0, 0]], [1], Emission=np.full((1, 3), 1e6, np.float32))
         self.refused(picture_of(bright, **AFAR), "a.exr", "beyond half precision", PixelType="Half")
 
@@ -241,7 +241,7 @@ class SavePicture(unittest.TestCase):
             algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
             with gt.Messages() as messages:
                 writer.UpdatePipeline()
-            self.assertIn(f"{name}: not written: the writer was stopped", messages.text)
+            self.assertIn(f"{name}: not written, for the writer was stopped", messages.text)
             self.assertEqual(os.listdir(self.folder), [])
 
 

@@ -260,7 +260,7 @@ class Writers(unittest.TestCase):
             for name in ("model.gad", "model.h5"):
                 with gt.Messages() as messages:
                     simple.SaveData(self.path(name), proxy=proxy)
-                self.assertIn("Component has values beyond 0 to 255", messages.text)
+                self.assertIn("Component must have whole numbers 0 to 255, not ", messages.text)
                 self.assertIn("at point 2", messages.text)
             self.assertEqual(os.listdir(self.folder), [])
 
@@ -272,7 +272,7 @@ class Writers(unittest.TestCase):
             algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
             with gt.Messages() as messages:
                 writer.UpdatePipeline()
-            self.assertIn(f"{name}: not written: the writer was stopped", messages.text)
+            self.assertIn(f"{name}: not written, for the writer was stopped", messages.text)
             self.assertNotEqual(algorithm.GetErrorCode(), 0)
             self.assertEqual(os.listdir(self.folder), [])
 
@@ -319,10 +319,11 @@ class Writers(unittest.TestCase):
     def test_what_does_not_fit_is_named_and_nothing_written(self):
         nan = np.array([[0, 0, 0], [0, np.nan, 0]])
         for cause, position, arrays in (
-            ("point array Velocity has 1 components", np.zeros((2, 3)), {"Velocity": [1.0, 2]}),
-            ("point array Intensity has 3 values", np.zeros((2, 3)), {"Intensity": [1.0, 2, 3]}),
-            ("Component has values beyond", np.zeros((2, 3)), {"Component": [0, 256]}),
-            ("particle 1: its position is not finite", nan, {}),
+            ("Velocity must have 3 components, not 1", np.zeros((2, 3)), {"Velocity": [1.0, 2]}),
+            ("Intensity must have 2 values, one a point, not 3", np.zeros((2, 3)),
+             {"Intensity": [1.0, 2, 3]}),
+            ("Component must have whole numbers", np.zeros((2, 3)), {"Component": [0, 256]}),
+            ("particle 1: its position must be finite", nan, {}),
         ):
             proxy = gt.particles(position, [1, 1], **arrays)
             with gt.Messages() as messages:
