@@ -13,28 +13,19 @@ namespace
 /// Beyond it, nothing that is not near the eye reaches into a face of the cube.
 constexpr double smallestCosine = 0.3;
 
-/// Room for changed values of an array, where there is one.
-const float* room(const float* values, std::size_t count, std::vector<float>& changed)
+/// Room for `width` changed values of each particle, where it has any.
+Buffer<float> room(const float* values, std::size_t width, const ParticleView& particles)
 {
-  changed.resize(values ? count : 0);
-  return values ? changed.data() : nullptr;
+  return Buffer<float>(values ? width * particles.size : 0);
 }
 
-void scale(const float* from, std::size_t first, int count, double factor, std::vector<float>& to)
+/// Scales the `width` values of particle i.
+void scale(const float* from, std::size_t i, std::size_t width, double factor, Buffer<float>& to)
 {
-  if (!from)
-  {
-    return;
-  }
-  for (std::size_t k = first; k < first + static_cast<std::size_t>(count); ++k)
+  for (std::size_t k = width * i; from && k < width * (i + 1); ++k)
   {
     to[k] = static_cast<float>(from[k] * factor);
   }
-}
-
-int channelsOf(int channels)
-{
-  return channels == 1 ? 1 : 3;
 }
 } // namespace
 
@@ -47,17 +38,14 @@ struct FaceParticles::Change
 
 FaceParticles::FaceParticles(const ParticleView& particles, Kernel kernel)
   : original(particles)
-  , changed(particles)
   , variance(NearParticle::sigmas(kernel) * NearParticle::sigmas(kernel) / 2)
 {
-  const std::size_t n = particles.size;
-  this->changed.position = room(particles.position, 3 * n, this->position);
-  this->changed.smoothingLength = room(particles.smoothingLength, n, this->smoothingLength);
-  this->changed.intensity = room(particles.intensity, n, this->intensity);
-  this->changed.emission =
-    room(particles.emission, channelsOf(particles.emissionChannels) * n, this->emission);
-  this->changed.absorption =
-    room(particles.absorption, channelsOf(particles.absorptionChannels) * n, this->absorption);
+  this->arrays.position = room(particles.position, 3, particles);
+  this->arrays.smoothingLength = room(particles.smoothingLength, 1, particles);
+  this->arrays.intensity = room(particles.intensity, 1, particles);
+  this->arrays.emission = room(particles.emission, particles.emissionChannels, particles);
+  this->arrays.absorption = room(particles.absorption, particles.absorptionChannels, particles);
+  this->changed = this->arrays.view(particles);
 }
 
 FaceParticles::Change FaceParticles::changeOf(
@@ -88,9 +76,8 @@ FaceParticles::Change FaceParticles::changeOf(
 const ParticleView& FaceParticles::seenBy(const Camera& camera)
 {
   const ParticleView& from = this->original;
+  ParticleArrays& to = this->arrays;
   const Projection projection(from, camera);
-  const int emissions = channelsOf(from.emissionChannels);
-  const int absorptions = channelsOf(from.absorptionChannels);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < from.size; ++i)
   {
@@ -98,13 +85,13 @@ const ParticleView& FaceParticles::seenBy(const Camera& camera)
     const Vec3 d = Vec3{ p[0], p[1], p[2] } - camera.eye;
     const Change change = this->changeOf(d, projection.radius(i), camera);
     const Vec3 place = camera.eye + change.fromEye;
-    this->position[3 * i] = static_cast<float>(place.x);
-    this->position[3 * i + 1] = static_cast<float>(place.y);
-    this->position[3 * i + 2] = static_cast<float>(place.z);
-    scale(from.smoothingLength, i, 1, change.size, this->smoothingLength);
-    scale(from.intensity, i, 1, change.light, this->intensity);
-    scale(from.emission, emissions * i, emissions, change.light, this->emission);
-    scale(from.absorption, absorptions * i, absorptions, change.light, this->absorption);
+    to.position[3 * i] = static_cast<float>(place.x);
+    to.position[3 * i + 1] = static_cast<float>(place.y);
+    to.position[3 * i + 2] = static_cast<float>(place.z);
+    scale(from.smoothingLength, i, 1, change.size, to.smoothingLength);
+    scale(from.intensity, i, 1, change.light, to.intensity);
+    scale(from.emission, i, from.emissionChannels, change.light, to.emission);
+    scale(from.absorption, i, from.absorptionChannels, change.light, to.absorption);
   }
   return this->changed;
 }

@@ -2,9 +2,7 @@
 #define galaxy_FaceParticles_h
 
 #include "Filters/Splatting/Camera.h"
-#include "Filters/Splatting/Render.h"
-
-#include <vector>
+#include "Filters/Splatting/ParticleArrays.h"
 
 namespace galaxy
 {
@@ -35,9 +33,9 @@ private:
   Change changeOf(const Vec3& fromEye, double radius, const Camera& camera) const;
 
   ParticleView original;
+  ParticleArrays arrays;
   ParticleView changed;
   double variance; ///< of the kernel along an axis, smoothing lengths squared
-  std::vector<float> position, smoothingLength, intensity, emission, absorption;
 };
 } // namespace galaxy
 

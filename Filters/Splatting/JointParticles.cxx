@@ -35,31 +35,24 @@ bool JointParticles::keepsColors(const std::vector<ParticleView>& parts)
 
 JointParticles::JointParticles(const std::vector<ParticleView>& parts)
 {
-  std::size_t size = 0, first = 0;
+  std::size_t size = 0, at = 0, first = 0;
   for (const ParticleView& part : parts)
   {
     size += part.size;
   }
   const bool asArrays = keepsColors(parts);
-  this->position.reserve(3 * size);
-  this->smoothingLength.reserve(size);
-  this->component.reserve(size);
-  if (asArrays)
-  {
-    this->emission.reserve(3 * size);
-    if (std::any_of(parts.begin(), parts.end(), absorbs))
-    {
-      this->absorption.reserve(3 * size);
-    }
-  }
-  else
-  {
-    this->intensity.reserve(size);
-    this->color.reserve(3 * size);
-  }
+  const bool absorb = std::any_of(parts.begin(), parts.end(), absorbs);
+  this->arrays.position.resize(3 * size);
+  this->arrays.smoothingLength.resize(size);
+  this->arrays.component.resize(size);
+  this->arrays.intensity.resize(asArrays ? 0 : size);
+  this->arrays.color.resize(asArrays ? 0 : 3 * size);
+  this->arrays.emission.resize(asArrays ? 3 * size : 0);
+  this->arrays.absorption.resize(asArrays && absorb ? 3 * size : 0);
   for (const ParticleView& part : parts)
   {
-    this->add(part, first);
+    this->add(part, at, first);
+    at += part.size;
     first += tableOf(part).size();
     if (first > 256)
     {
@@ -68,31 +61,32 @@ JointParticles::JointParticles(const std::vector<ParticleView>& parts)
   }
 }
 
-/// `first` is the number of the part's first component.
-void JointParticles::add(const ParticleView& part, std::size_t first)
+/// From particle `at` on; `first` is the number of the part's first component.
+void JointParticles::add(const ParticleView& part, std::size_t at, std::size_t first)
 {
-  const auto append = [&part](auto& to, const auto* from, std::size_t width, int otherwise) {
-    from ? to.insert(to.end(), from, from + width * part.size)
-         : to.insert(to.end(), width * part.size, otherwise);
+  const auto put = [&](auto& to, const auto* from, std::size_t width, int otherwise) {
+    const auto start = to.begin() + width * at;
+    from ? std::copy_n(from, width * part.size, start)
+         : std::fill_n(start, width * part.size, otherwise);
   };
-  append(this->position, part.position, 3, 0);
-  append(this->smoothingLength, part.smoothingLength, 1, 0);
+  put(this->arrays.position, part.position, 3, 0);
+  put(this->arrays.smoothingLength, part.smoothingLength, 1, 0);
   const std::size_t last = tableOf(part).size() - 1;
   for (std::size_t i = 0; i < part.size; ++i)
   {
     const std::size_t k = part.component ? std::min<std::size_t>(part.component[i], last) : 0;
-    this->component.push_back(static_cast<std::uint8_t>(first + k));
+    this->arrays.component[at + i] = static_cast<std::uint8_t>(first + k);
   }
-  if (this->emission.capacity() > 0)
+  if (!this->arrays.emission.empty())
   {
-    this->addLight(part);
+    this->addLight(part, at);
     return;
   }
-  append(this->intensity, part.intensity, 1, 0);
-  append(this->color, part.color, 3, 255);
+  put(this->arrays.intensity, part.intensity, 1, 0);
+  put(this->arrays.color, part.color, 3, 255);
 }
 
-void JointParticles::addLight(const ParticleView& part)
+void JointParticles::addLight(const ParticleView& part, std::size_t at)
 {
   // As they are without the factors, which may change later.
   std::vector<ComponentInfo> table = tableOf(part);
@@ -106,10 +100,10 @@ void JointParticles::addLight(const ParticleView& part)
   for (std::size_t i = 0; i < part.size; ++i)
   {
     const ParticleLight light = projection.light(i);
-    this->emission.insert(this->emission.end(), light.L, light.L + 3);
-    if (this->absorption.capacity() > 0)
+    std::copy_n(light.L, 3, &this->arrays.emission[3 * (at + i)]);
+    if (!this->arrays.absorption.empty())
     {
-      this->absorption.insert(this->absorption.end(), light.K, light.K + 3);
+      std::copy_n(light.K, 3, &this->arrays.absorption[3 * (at + i)]);
     }
   }
 }
@@ -127,16 +121,7 @@ ParticleView JointParticles::view(const std::vector<ParticleView>& parts)
       this->visible.push_back(!part.visible || k >= part.visible->size() || (*part.visible)[k]);
     }
   }
-  const auto dataOf = [](const auto& values) { return values.empty() ? nullptr : values.data(); };
-  ParticleView view;
-  view.size = this->smoothingLength.size();
-  view.position = dataOf(this->position);
-  view.smoothingLength = dataOf(this->smoothingLength);
-  view.intensity = dataOf(this->intensity);
-  view.color = dataOf(this->color);
-  view.component = dataOf(this->component);
-  view.emission = dataOf(this->emission);
-  view.absorption = dataOf(this->absorption);
+  ParticleView view = this->arrays.view();
   view.components = &this->components;
   view.visible = &this->visible;
   return view;

@@ -1,10 +1,9 @@
 #ifndef galaxy_JointParticles_h
 #define galaxy_JointParticles_h
 
-#include "Filters/Model/Particles.h"
-#include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/ParticleArrays.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace galaxy
@@ -24,11 +23,10 @@ public:
   static bool keepsColors(const std::vector<ParticleView>& parts);
 
 private:
-  void add(const ParticleView& part, std::size_t first);
-  void addLight(const ParticleView& part);
+  void add(const ParticleView& part, std::size_t at, std::size_t first);
+  void addLight(const ParticleView& part, std::size_t at);
 
-  std::vector<float> position, smoothingLength, intensity, emission, absorption;
-  std::vector<std::uint8_t> color, component;
+  ParticleArrays arrays;
   std::vector<ComponentInfo> components;
   std::vector<bool> visible;
 };

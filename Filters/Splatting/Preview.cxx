@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <omp.h>
+#include <vector>
 
 namespace galaxy
 {
@@ -11,24 +12,14 @@ namespace
 {
 /// `width` numbers of each of the particles listed; none if there is no array.
 template <typename T>
-std::vector<T> pick(const T* values, std::size_t width, const std::vector<std::size_t>& which)
+Buffer<T> pick(const T* values, std::size_t width, const std::vector<std::size_t>& which)
 {
-  std::vector<T> picked;
-  if (values)
+  Buffer<T> picked(values ? width * which.size() : 0);
+  for (std::size_t k = 0; values && k < which.size(); ++k)
   {
-    picked.resize(width * which.size());
-    for (std::size_t k = 0; k < which.size(); ++k)
-    {
-      std::copy_n(values + width * which[k], width, &picked[width * k]);
-    }
+    std::copy_n(values + width * which[k], width, &picked[width * k]);
   }
   return picked;
-}
-
-template <typename T>
-const T* dataOf(const std::vector<T>& values)
-{
-  return values.empty() ? nullptr : values.data();
 }
 
 /// So many different numbers below `size` in random order, every such list with the same chance.
@@ -60,27 +51,20 @@ PreviewSample::PreviewSample(const ParticleView& particles, std::size_t most)
   : of(particles.size)
 {
   const std::vector<std::size_t> which = drawFrom(this->of, std::min(most, this->of));
-  this->position = pick(particles.position, 3, which);
-  this->smoothingLength = pick(particles.smoothingLength, 1, which);
-  this->intensity = pick(particles.intensity, 1, which);
-  this->color = pick(particles.color, 3, which);
-  this->component = pick(particles.component, 1, which);
-  this->emission = pick(particles.emission, particles.emissionChannels == 1 ? 1 : 3, which);
-  this->absorption = pick(particles.absorption, particles.absorptionChannels == 1 ? 1 : 3, which);
+  this->arrays.position = pick(particles.position, 3, which);
+  this->arrays.smoothingLength = pick(particles.smoothingLength, 1, which);
+  this->arrays.intensity = pick(particles.intensity, 1, which);
+  this->arrays.color = pick(particles.color, 3, which);
+  this->arrays.component = pick(particles.component, 1, which);
+  this->arrays.emission = pick(particles.emission, particles.emissionChannels, which);
+  this->arrays.absorption = pick(particles.absorption, particles.absorptionChannels, which);
 }
 
 ParticleView PreviewSample::first(std::size_t count, const ParticleView& like) const
 {
-  ParticleView view = like;
+  ParticleView view = this->arrays.view(like);
   view.size = std::min(count, this->size());
   view.weight = view.size > 0 ? double(this->of) / double(view.size) : 1;
-  view.position = dataOf(this->position);
-  view.smoothingLength = dataOf(this->smoothingLength);
-  view.intensity = dataOf(this->intensity);
-  view.color = dataOf(this->color);
-  view.component = dataOf(this->component);
-  view.emission = dataOf(this->emission);
-  view.absorption = dataOf(this->absorption);
   return view;
 }
 

@@ -1,12 +1,11 @@
 #ifndef galaxy_Preview_h
 #define galaxy_Preview_h
 
-#include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/ParticleArrays.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace galaxy
 {
@@ -18,7 +17,7 @@ public:
   /// Copies so many particles, or all if there are fewer.
   explicit PreviewSample(const ParticleView& particles, std::size_t most = std::size_t(1) << 21);
 
-  std::size_t size() const { return this->smoothingLength.size(); }
+  std::size_t size() const { return this->arrays.size(); }
 
   /// The first particles of the sample, each of which stands for as many of all as it takes: light
   /// and optical depth are the whole's on average. `like` has what is not the particles': the
@@ -27,8 +26,7 @@ public:
 
 private:
   std::size_t of = 0; ///< how many particles it was drawn from
-  std::vector<float> position, smoothingLength, intensity, emission, absorption;
-  std::vector<std::uint8_t> color, component;
+  ParticleArrays arrays;
 };
 
 /// Pictures of a part of the particles, as large as time allows. Kept from picture to picture it
