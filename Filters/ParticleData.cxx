@@ -130,15 +130,7 @@ bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleI
     return true;
   }
   PointArrays arrays(particles, input.converted, input.problem);
-  view.position = arrays.as<vtkFloatArray>(particles->GetPoints()->GetData());
-  view.smoothingLength = arrays.find<vtkFloatArray>("SmoothingLength", 1, 1);
-  view.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);
-  view.color = arrays.find<vtkUnsignedCharArray>("Color", 3, 3);
-  view.component = arrays.find<vtkUnsignedCharArray>("Component", 1, 1);
-  view.emission = arrays.find<vtkFloatArray>("Emission", 1, 3);
-  view.absorption = arrays.find<vtkFloatArray>("Absorption", 1, 3);
-  view.emissionChannels = view.emission ? arrays.channels("Emission") : 3;
-  view.absorptionChannels = view.absorption ? arrays.channels("Absorption") : 3;
+  arrays.fill(view);
   if (input.problem.empty() && !view.smoothingLength)
   {
     input.problem =

@@ -2,9 +2,12 @@
 #define galaxy_PointArrays_h
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <string>
 #include <vector>
@@ -48,12 +51,27 @@ public:
     return typed->GetPointer(0);
   }
 
+  /// What particles are drawn and written by, into members named for it.
+  template <typename View>
+  void fill(View& view)
+  {
+    view.position = this->as<vtkFloatArray>(this->particles->GetPoints()->GetData());
+    view.smoothingLength = this->find<vtkFloatArray>("SmoothingLength", 1, 1);
+    view.intensity = this->find<vtkFloatArray>("Intensity", 1, 1);
+    view.color = this->find<vtkUnsignedCharArray>("Color", 3, 3);
+    view.component = this->find<vtkUnsignedCharArray>("Component", 1, 1);
+    view.emission = this->find<vtkFloatArray>("Emission", 1, 3);
+    view.absorption = this->find<vtkFloatArray>("Absorption", 1, 3);
+    view.emissionChannels = view.emission ? this->channels("Emission") : 3;
+    view.absorptionChannels = view.absorption ? this->channels("Absorption") : 3;
+  }
+
+private:
   int channels(const char* name) const
   {
     return this->particles->GetPointData()->GetArray(name)->GetNumberOfComponents();
   }
 
-private:
   bool fits(vtkDataArray* array, int minChannels, int maxChannels)
   {
     const std::string name = std::string("point array ") + array->GetName();

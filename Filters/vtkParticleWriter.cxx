@@ -94,20 +94,12 @@ galaxy::ParticleTable viewTable(vtkPolyData* particles, PointArrays::Converted& 
   }
   std::string problem;
   PointArrays arrays(particles, converted, problem);
-  table.position = arrays.as<vtkFloatArray>(particles->GetPoints()->GetData());
+  arrays.fill(table);
   table.velocity = arrays.find<vtkFloatArray>("Velocity", 3, 3);
-  table.smoothingLength = arrays.find<vtkFloatArray>("SmoothingLength", 1, 1);
-  table.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);
-  table.color = arrays.find<vtkUnsignedCharArray>("Color", 3, 3);
-  table.component = arrays.find<vtkUnsignedCharArray>("Component", 1, 1);
-  table.emission = arrays.find<vtkFloatArray>("Emission", 1, 3);
-  table.absorption = arrays.find<vtkFloatArray>("Absorption", 1, 3);
   if (!problem.empty())
   {
     throw std::runtime_error(problem);
   }
-  table.emissionChannels = table.emission ? arrays.channels("Emission") : 3;
-  table.absorptionChannels = table.absorption ? arrays.channels("Absorption") : 3;
   vtkDataArray* color = particles->GetPointData()->GetArray("Color");
   if (color && (color->GetDataType() == VTK_FLOAT || color->GetDataType() == VTK_DOUBLE))
   {

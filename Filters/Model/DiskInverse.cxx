@@ -13,15 +13,7 @@ constexpr int stepsPerRange = 192;
 DiskInverse::DiskInverse(const TiltedDisk& disk, double inner, double outer)
   : disk(disk)
 {
-  std::vector<double> ends = { inner };
-  for (const double knot : disk.knots())
-  {
-    if (knot > inner && knot < outer)
-    {
-      ends.push_back(knot);
-    }
-  }
-  ends.push_back(outer);
+  const std::vector<double> ends = disk.knotsBetween(inner, outer);
   for (std::size_t k = 0; k + 1 < ends.size(); ++k)
   {
     this->tabulate(ends[k], ends[k + 1]);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace galaxy
@@ -276,10 +277,7 @@ ParticleStarts countFilaments(const Seeds& seeds, const TiltedDisk& disk,
   {
     starts[i + 1] = filamentLength(seeds, i, disk, component.dust, key);
   }
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
-    starts[i + 1] += starts[i];
-  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
   return starts;
 }
 

@@ -283,6 +283,20 @@ std::vector<double> TiltedDisk::knots() const
   return knots;
 }
 
+std::vector<double> TiltedDisk::knotsBetween(double inner, double outer) const
+{
+  std::vector<double> between = { inner };
+  for (const double knot : this->knots())
+  {
+    if (knot > inner && knot < outer)
+    {
+      between.push_back(knot);
+    }
+  }
+  between.push_back(outer);
+  return between;
+}
+
 double TiltedDisk::fastestRotation(double r) const
 {
   const Interval& interval = this->intervalAt(r);

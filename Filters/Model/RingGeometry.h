@@ -83,6 +83,8 @@ public:
   /// The radii between which every parameter is linear, increasing, from 0; beyond the last the
   /// disc is flat.
   std::vector<double> knots() const;
+  /// Two radii, and the knots between them.
+  std::vector<double> knotsBetween(double inner, double outer) const;
   /// The slowest |rotation| between two radii, km/s.
   double slowestRotation(double inner, double outer) const;
   /// The fastest |rotation| at r and anywhere beyond, km/s: it never rises with radius.

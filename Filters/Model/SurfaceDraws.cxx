@@ -65,15 +65,7 @@ double bendOf(const RingFrame& ring)
 SurfaceDraws::SurfaceDraws(const TiltedDisk& disk, double inner, double outer)
   : disk(disk)
 {
-  std::vector<double> knots = { inner };
-  for (const double knot : disk.knots())
-  {
-    if (knot > inner && knot < outer)
-    {
-      knots.push_back(knot);
-    }
-  }
-  knots.push_back(outer);
+  const std::vector<double> knots = disk.knotsBetween(inner, outer);
   double sum = 0;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
   {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace galaxy
 {
@@ -225,10 +226,7 @@ ParticleStarts countChildren(const Seeds& seeds, const TiltedDisk& disk,
     const double rounded = std::floor(std::min(mean, most) + random.uniform());
     starts[i + 1] = static_cast<std::uint64_t>(std::clamp(rounded, 1.0, most));
   }
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
-    starts[i + 1] += starts[i];
-  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
   return starts;
 }
 

@@ -4,11 +4,11 @@
 #include "Filters/Export/ExportParticles.h"
 #include "Filters/Model/ParticleWriter.h"
 #include "Testing/Cxx/ErrorOf.h"
+#include "Testing/Cxx/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -21,27 +21,15 @@
 
 namespace galaxy::testing
 {
-/// A folder that is gone after the test.
-class ExportFolder : public ::testing::Test
+/// A folder that files are written to.
+class ExportFolder : public TemporaryFolder
 {
 protected:
-  void SetUp() override
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "galaxy-export-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    this->folder = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(this->folder); }
-
-  std::string path(const std::string& name) const { return (this->folder / name).string(); }
-
   std::size_t filesThere() const
   {
     const std::filesystem::directory_iterator first(this->folder);
     return static_cast<std::size_t>(std::distance(first, std::filesystem::directory_iterator()));
   }
-
-  std::filesystem::path folder;
 };
 
 /// No file may grow beyond this many bytes, which to a writer is what a full disk is.

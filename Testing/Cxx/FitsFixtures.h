@@ -3,11 +3,11 @@
 
 #include "Readers/Formats/FitsFile.h"
 #include "Testing/Cxx/ErrorOf.h"
+#include "Testing/Cxx/TemporaryFolder.h"
 
 #include <fitsio.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,20 +15,10 @@
 
 namespace galaxy::testing
 {
-/// A folder of FITS files that is gone after the test.
-class FitsFolder : public ::testing::Test
+/// A folder of FITS files.
+class FitsFolder : public TemporaryFolder
 {
 protected:
-  void SetUp() override
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "galaxy-fits-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    this->folder = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(this->folder); }
-
-  std::string path(const std::string& name) const { return (this->folder / name).string(); }
-
   /// Writes a file through CFITSIO; `fill` does the rest after its creation.
   std::string write(const std::string& name, const std::function<void(fitsfile*, int*)>& fill) const
   {
@@ -40,8 +30,6 @@ protected:
     EXPECT_EQ(status, 0) << name;
     return this->path(name);
   }
-
-  std::filesystem::path folder;
 };
 
 inline constexpr long width = 3, height = 2;

@@ -62,6 +62,13 @@ inline Vec3 velocityOf(const Particles& particles, std::size_t i)
   return { v[0], v[1], v[2] };
 }
 
+inline BuildOptions withVelocities()
+{
+  BuildOptions options;
+  options.velocities = true;
+  return options;
+}
+
 inline double lightOf(const Particles& particles)
 {
   double sum = 0;

@@ -2,6 +2,7 @@
 #define galaxy_ModelFixtures_h
 
 #include "Filters/Model/Particles.h"
+#include "Filters/Model/SkyGrid.h"
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/Image.h"
 #include "Readers/Formats/RingTable.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace galaxy
@@ -105,6 +107,20 @@ bool equalBits(const Buffer<T>& p, const Buffer<T>& q)
 {
   return p.size() == q.size() && std::equal(p.begin(), p.end(), q.begin());
 }
+
+/// A tangent grid about M83 of `pixel` arcsec, turned by `angle` degrees.
+inline SkyGrid tangentGrid(int size, double pixel, double angle, double east = 0)
+{
+  SuppliedCoordinates supplied;
+  supplied.centre = { m83Centre.ra + east / std::cos(m83Centre.dec * degree), m83Centre.dec };
+  supplied.pixelScale = pixel;
+  supplied.positionAngle = angle;
+  SkyGrid grid;
+  grid.coordinates = std::make_shared<const WorldCoordinates>(supplied, size, size);
+  grid.width = grid.height = size;
+  return grid;
+}
+
 /// The summed light of an image of `pixel` arcsec, blank pixels left out.
 inline double fluxOf(const std::vector<float>& values, double pixel)
 {

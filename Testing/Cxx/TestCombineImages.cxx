@@ -13,18 +13,6 @@ namespace galaxy
 {
 namespace
 {
-SkyGrid tangentGrid(int size, double pixel, double angle)
-{
-  SuppliedCoordinates supplied;
-  supplied.centre = m83Centre;
-  supplied.pixelScale = pixel;
-  supplied.positionAngle = angle;
-  SkyGrid grid;
-  grid.coordinates = std::make_shared<const WorldCoordinates>(supplied, size, size);
-  grid.width = grid.height = size;
-  return grid;
-}
-
 constexpr double bumps[][3] = { { 60, 20, 1.0 }, { -90, 40, 0.7 }, { 15, -110, 0.8 },
   { -40, -60, 0.5 } }; // x and y in arcsec, height
 

@@ -52,13 +52,6 @@ double reach(const Particles& particles)
   }
   return most;
 }
-
-BuildOptions moving()
-{
-  BuildOptions options;
-  options.velocities = true;
-  return options;
-}
 } // namespace
 
 TEST(HardCase, N13_PositionAngleTakesTheShortWayOverNorth)
@@ -90,7 +83,7 @@ TEST(HardCase, N14_FaceOnTheNodesMeanNothing)
       ComponentDescription stars = thickLayer();
       stars.sampling = sampling;
       const Galaxy input = galaxyOf(rings, { stars }, round);
-      const Particles particles = buildGalaxy(input, moving());
+      const Particles particles = buildGalaxy(input, withVelocities());
       expectPictureKept(input, particles);
       double sum = 0, cosines[3] = {}, sines[3] = {}, squares = 0, outward = 0;
       for (std::size_t i = 0; i < particles.size(); ++i)
@@ -153,7 +146,7 @@ TEST(HardCase, N16_InclinationBeyond90TurnsTheOtherWay)
   const auto built = [](const RingTable& rings, SpinSense spin) {
     Galaxy input = galaxyOf(rings, { thickLayer() });
     input.description.spin = spin;
-    return buildGalaxy(input, moving());
+    return buildGalaxy(input, withVelocities());
   };
   const auto beyond = [](double i) { return 180 - i; };
   for (const RingTable& rings : { flatDisk(10, 65, 40), m83Rings() })
@@ -249,7 +242,7 @@ TEST(HardCase, N18_OddRingTables)
   for (const RingTable& rings : { flatDisk(10, 50, 70), hole, step, zeros })
   {
     const Galaxy input = galaxyOf(rings, { thickLayer() });
-    const Particles particles = buildGalaxy(input, moving());
+    const Particles particles = buildGalaxy(input, withVelocities());
     expectFinite(particles);
     expectPictureKept(input, particles);
     EXPECT_GT(EarthView(input, particles).light[(pictureSide + 1) * pictureSide / 2], 0);

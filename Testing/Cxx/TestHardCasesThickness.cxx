@@ -156,8 +156,7 @@ TEST(HardCase, N22_WithoutRotationTheFlareIsCapped)
 
 TEST(HardCase, N23_TheCentreIsFinite)
 {
-  BuildOptions options;
-  options.velocities = true;
+  const BuildOptions options = withVelocities();
   // An odd picture has a pixel in the middle, which alone is lit.
   const auto point = [](double x, double y) { return std::hypot(x, y) < 1e-9 ? 0.7 : 0; };
   RingTable rising = m83Rings();
@@ -233,8 +232,7 @@ TEST(HardCase, N32_AnyNumberOfThreadsGivesTheSameBits)
   }
   const Galaxy input = galaxyOf(
     m83Rings(), components, [](double x, double y) { return std::exp(-std::hypot(x - 1, y) / 4); });
-  BuildOptions options;
-  options.velocities = true;
+  const BuildOptions options = withVelocities();
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
   const Particles one = buildGalaxy(input, options);

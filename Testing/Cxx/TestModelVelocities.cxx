@@ -28,13 +28,6 @@ Galaxy spinning(const RingTable& rings, ComponentDescription component, SpinSens
   input.description.spin = spin;
   return input;
 }
-
-BuildOptions withVelocities()
-{
-  BuildOptions options;
-  options.velocities = true;
-  return options;
-}
 } // namespace
 
 TEST(ModelVelocities, AlongTheLineOfSightAreTheObservedOnesWhateverTheSpin)

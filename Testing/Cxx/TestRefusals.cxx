@@ -62,9 +62,7 @@ protected:
     const std::string file = this->path("scene.galaxy");
     std::ofstream(file) << text;
     return errorOf([&] {
-      BuildOptions options;
-      options.velocities = true;
-      const Particles particles = buildGalaxy(readGalaxy(file), options);
+      const Particles particles = buildGalaxy(readGalaxy(file), withVelocities());
       expectFinite(particles);
       for (const ComponentInfo& info : particles.components)
       {

@@ -13,19 +13,6 @@ namespace galaxy
 {
 namespace
 {
-/// A tangent grid about M83 of `pixel` arcsec, turned by `angle` degrees.
-SkyGrid tangentGrid(int size, double pixel, double angle, double east = 0)
-{
-  SuppliedCoordinates supplied;
-  supplied.centre = { m83Centre.ra + east / std::cos(m83Centre.dec * degree), m83Centre.dec };
-  supplied.pixelScale = pixel;
-  supplied.positionAngle = angle;
-  SkyGrid grid;
-  grid.coordinates = std::make_shared<const WorldCoordinates>(supplied, size, size);
-  grid.width = grid.height = size;
-  return grid;
-}
-
 /// A Gaussian of `fwhm` arcsec at (x, y) arcsec from the middle, along the grid's axes.
 CleanImage gaussianImage(int size, double pixel, double angle, double fwhm, double x, double y)
 {

@@ -1,6 +1,7 @@
 """What the plugin's tests share."""
 import os
 import re
+import shutil
 import sys
 import tempfile
 import unittest
@@ -101,6 +102,17 @@ def splat(source, size=64, **camera):
     splat.effects = str(picture.ActiveEffects)
     simple.Delete(picture)
     return result
+
+
+class FolderTest(unittest.TestCase):
+    """A test with a folder of its own, which is gone after it."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
 
 
 _FOLDER = tempfile.TemporaryDirectory()

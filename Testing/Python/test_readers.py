@@ -1,6 +1,5 @@
 """FITSReader, TiltedRingReader and GalaxyReader through the server manager."""
 import os
-import shutil
 import tempfile
 import unittest
 
@@ -18,14 +17,7 @@ def fetch(proxy):
     return servermanager.Fetch(proxy)
 
 
-class Fits(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
+class Fits(gt.FolderTest):
     def test_mock_images_agree_with_astropy(self):
         folder = os.path.join(gt.ROOT, "Examples", "M83", "images")
         names = sorted(name for name in os.listdir(folder) if name.endswith(".fits"))

@@ -2,7 +2,6 @@
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 
 import numpy as np
@@ -78,14 +77,7 @@ def centroid(image):
     return (columns * image).sum() / weights, (rows * image).sum() / weights
 
 
-class SavePicture(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
+class SavePicture(gt.FolderTest):
     def saved(self, picture, name="picture.fits"):
         simple.SaveData(self.path(name), proxy=picture)
         return fits.open(self.path(name))

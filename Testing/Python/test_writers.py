@@ -2,7 +2,6 @@
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 
 import numpy as np
@@ -102,14 +101,7 @@ class Model(Sample):
         self.type = np.array(self.gadget_types)[self.arrays["Component"]]
 
 
-class Writers(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
+class Writers(gt.FolderTest):
     def assert_same(self, read, expected, what=""):
         """Equal to the last bit, as float32 or as integers."""
         np.testing.assert_array_equal(np.asarray(read), expected, what)
