@@ -37,7 +37,6 @@ void toFieldData(const Outlook& outlook, vtkFieldData* fields)
 void toFieldData(double distance, double halfSize, vtkFieldData* fields)
 {
   addViewpoint(fields, "CameraEarth", earthView(distance, halfSize));
-  setFieldNumbers(fields, "Distance", { distance });
   setFieldNumbers(fields, "FieldHalfSize", { halfSize });
 }
 }

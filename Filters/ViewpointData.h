@@ -9,14 +9,14 @@ class vtkFieldData;
 /// the data information hold: so they reach the client without the particles.
 ///
 /// `CameraEarth`, `CameraFaceOn`, `CameraEdgeOn`, `CameraMajorAxis`: position, focal point, view up
-/// (kpc) and view angle (degrees), ten numbers. `Distance` (kpc), `DiskNormal` and `MajorAxis`
-/// (directions), `FieldHalfSize` (kpc that those views show to each side). A camera for each image,
-/// which shows its field from Earth: `CameraEarth:` and the image's name.
+/// (kpc) and view angle (degrees), ten numbers. `DiskNormal` and `MajorAxis` (directions),
+/// `FieldHalfSize` (kpc that those views show to each side). A camera for each image, which shows its
+/// field from Earth: `CameraEarth:` and the image's name.
 namespace galaxy
 {
 void toFieldData(const Outlook& outlook, vtkFieldData* fields);
 
-/// Of many galaxies about the first one's centre: `CameraEarth`, `Distance` and `FieldHalfSize`.
+/// Of many galaxies about the first one's centre: `CameraEarth` and `FieldHalfSize`.
 void toFieldData(double distance, double halfSize, vtkFieldData* fields);
 }
 
