@@ -10,8 +10,8 @@ class vtkFieldData;
 ///
 /// `CameraEarth`, `CameraFaceOn`, `CameraEdgeOn`, `CameraMajorAxis`: position, focal point, view up
 /// (kpc) and view angle (degrees), ten numbers. `DiskNormal` and `MajorAxis` (directions),
-/// `FieldHalfSize` (kpc that those views show to each side). A camera for each image, which shows its
-/// field from Earth: `CameraEarth:` and the image's name.
+/// `FieldHalfSize` (kpc that those views show to each side). A camera for each image, which shows
+/// its field from Earth: `CameraEarth:` and the image's name.
 namespace galaxy
 {
 void toFieldData(const Outlook& outlook, vtkFieldData* fields);

@@ -129,7 +129,7 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
   output->GetPointData()->SetActiveScalars("Radiance");
   galaxy::setCamera(this->PictureCamera(), output);
   galaxy::passSkyPlace(particles, output);
-  this->ActiveEffects = image.statistics.activeEffects;
+  this->ActiveEffects = galaxy::activeEffects(image.statistics);
   this->RenderStatistics = galaxy::describe(image.statistics);
 }
 

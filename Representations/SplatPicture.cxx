@@ -3,12 +3,14 @@
 #include "Filters/ParticleData.h"
 #include "vtkSplatSettings.h"
 
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace galaxy
 {
@@ -33,6 +35,17 @@ std::vector<double> versionsOf(const std::vector<SplatPart>& parts)
     versions.push_back(static_cast<double>(std::max(part.version, part.particles->GetMTime())));
   }
   return versions;
+}
+
+/// What of a component table joint particles have in their arrays where they keep colours.
+void appendColors(const std::vector<ComponentInfo>& components, std::vector<double>& to)
+{
+  for (const ComponentInfo& component : components)
+  {
+    to.insert(to.end(), { double(component.absorbs), double(component.isRecolored) });
+    to.insert(to.end(), component.color.begin(), component.color.end());
+    to.insert(to.end(), component.absorption.begin(), component.absorption.end());
+  }
 }
 
 ErrorBound unseenError(const std::vector<SplatPart>& parts, const ToneMap& toneMap)
@@ -60,10 +73,15 @@ double relativeExposure(const std::vector<SplatPart>& parts, std::size_t k)
 }
 } // namespace
 
-bool SplatPicture::State::isOfScene(const State& other) const
+bool SplatPicture::Scene::operator==(const Scene& other) const
 {
   return this->parts == other.parts && isSame(this->camera, other.camera) &&
     this->opaqueDepth == other.opaqueDepth;
+}
+
+bool SplatPicture::State::isOfScene(const State& other) const
+{
+  return this->scene == other.scene && this->gains == other.gains;
 }
 
 bool SplatPicture::State::servesFor(const State& other) const
@@ -71,7 +89,8 @@ bool SplatPicture::State::servesFor(const State& other) const
   const bool isGood = this->accuracy == other.accuracy &&
     (this->accuracy != Accuracy::Bounded ||
       (this->allowed.light <= other.needed.light && this->allowed.share <= other.needed.share));
-  return isGood && this->seconds == other.seconds && this->isOfScene(other);
+  return isGood && this->slices == other.slices && this->seconds == other.seconds &&
+    this->isOfScene(other);
 }
 
 RenderOptions SplatPicture::optionsOf(const std::vector<SplatPart>& parts) const
@@ -87,6 +106,41 @@ RenderOptions SplatPicture::optionsOf(const std::vector<SplatPart>& parts) const
   return options;
 }
 
+/// The scene and its light, as the settings have them.
+SplatPicture::State SplatPicture::stateOf(
+  const std::vector<SplatPart>& parts, const RenderOptions& options) const
+{
+  State state;
+  state.scene.parts = versionsOf(parts);
+  state.scene.parts.push_back(static_cast<double>(options.kernel));
+  const auto has = [](const SplatPart& part, const char* array) {
+    return part.particles->GetPointData()->HasArray(array) != 0;
+  };
+  // As JointParticles do.
+  const bool keepColors = parts.size() > 1 &&
+    std::any_of(parts.begin(), parts.end(),
+      [&has](const SplatPart& part) { return has(part, "Emission") || has(part, "Absorption"); });
+  ComponentLights lights;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    std::vector<ComponentInfo> components = toComponents(parts[k].particles->GetFieldData());
+    std::vector<bool> visible;
+    parts[k].settings->Apply(components, visible);
+    for (ComponentInfo& component : components)
+    {
+      component.light *= relativeExposure(parts, k);
+    }
+    lights.add(
+      components, visible, keepColors || has(parts[k], "Emission"), has(parts[k], "Absorption"));
+  }
+  state.scene.parts.insert(state.scene.parts.end(), lights.others.begin(), lights.others.end());
+  state.gains = std::move(lights.gains);
+  state.accuracy = options.accuracy;
+  state.slices = options.slices;
+  state.allowed = options.allowed;
+  return state;
+}
+
 void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest request)
 {
   RenderOptions options = this->optionsOf(parts);
@@ -94,33 +148,21 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   options.allowed = withHeadroom(unseen);
   options.memory = &this->memory;
   const bool isBettering = this->isAwaited;
-  State next;
-  next.camera = request.camera;
-  next.seconds = this->nextSeconds(request, options.previewTime);
-  if (options.accuracy == Accuracy::Preview)
-  {
-    next.seconds = options.previewTime;
-  }
-  if (next.seconds > 0)
-  {
-    options.accuracy = Accuracy::Preview;
-  }
-  next.opaqueDepth = std::move(request.opaqueDepth);
-  next.accuracy = options.accuracy;
+  double seconds = this->nextSeconds(request, options.previewTime);
+  seconds = options.accuracy == Accuracy::Preview ? options.previewTime : seconds;
+  options.accuracy = seconds > 0 ? Accuracy::Preview : options.accuracy;
+  State next = this->stateOf(parts, options);
+  next.scene.camera = request.camera;
+  next.scene.opaqueDepth = std::move(request.opaqueDepth);
+  next.seconds = seconds;
   next.needed = unseen;
-  next.allowed = options.allowed;
-  next.parts = versionsOf(parts);
-  for (std::size_t k = 0; k < parts.size(); ++k)
-  {
-    next.parts.push_back(static_cast<double>(parts[k].settings->GetMTime()));
-    next.parts.push_back(relativeExposure(parts, k));
-  }
   this->aborted = false;
   if (this->last.servesFor(next))
   {
     return;
   }
-  options.opaqueDepth = next.opaqueDepth.empty() ? nullptr : next.opaqueDepth.data();
+  const std::vector<float>& opaqueDepth = next.scene.opaqueDepth;
+  options.opaqueDepth = opaqueDepth.empty() ? nullptr : opaqueDepth.data();
   if (request.progress && !request.isMoving)
   {
     options.progress = [&](double fraction) {
@@ -131,7 +173,7 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   std::vector<ParticleInput> inputs(parts.size());
   const ParticleView particles = this->view(parts, inputs);
   this->draw(particles, options, next);
-  if (next.image.aborted)
+  if (next.image->aborted)
   {
     this->giveUp(particles, options, next);
     return;
@@ -143,12 +185,21 @@ void SplatPicture::draw(const ParticleView& particles, const RenderOptions& opti
 {
   if (next.seconds > 0)
   {
-    next.image = this->preview.render(particles, this->version, next.camera, options, next.seconds);
+    next.image = std::make_shared<RenderedImage>(
+      this->preview.render(particles, this->version, next.scene.camera, options, next.seconds));
     return;
   }
+  const bool isOther = !(this->drawn.scene == next.scene) ||
+    this->drawn.accuracy != next.accuracy || this->drawn.slices != next.slices;
+  if (isOther)
+  {
+    this->groups.clear();
+    this->drawn = next;
+  }
   const double start = vtkTimerLog::GetUniversalTime();
-  next.image = render(particles, next.camera, options);
-  if (!next.image.aborted)
+  next.image = this->groups.render(particles, next.gains, next.scene.camera, options, next.needed);
+  next.allowed = this->groups.bound();
+  if (!next.image->aborted && isOther)
   {
     this->fullSeconds = vtkTimerLog::GetUniversalTime() - start;
   }
@@ -189,9 +240,12 @@ ParticleView SplatPicture::view(
   }
   std::vector<double> versions = versionsOf(parts);
   const bool isJoint = views.size() > 1;
-  for (std::size_t k = 0; k < parts.size() && isJoint && JointParticles::keepsColors(views); ++k)
+  if (isJoint && JointParticles::keepsColors(views))
   {
-    versions.push_back(static_cast<double>(parts[k].settings->GetMTime()));
+    for (const ParticleInput& input : inputs)
+    {
+      appendColors(input.components, versions);
+    }
   }
   if (this->versions != versions)
   {
@@ -218,12 +272,12 @@ double SplatPicture::nextSeconds(const SplatRequest& request, double shortest)
 
 bool SplatPicture::refine()
 {
-  if (this->seconds == 0 || this->last.image.radiance.empty())
+  if (this->seconds == 0 || this->last.image->radiance.empty())
   {
     return false;
   }
   const double next = 4 * this->seconds;
-  const bool isAll = this->last.image.statistics.sampled >= this->preview.most();
+  const bool isAll = this->last.image->statistics.sampled >= this->preview.most();
   this->seconds = isAll || next > this->fullSeconds / 2 ? 0 : next;
   this->isAwaited = true;
   return true;

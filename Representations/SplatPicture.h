@@ -2,6 +2,7 @@
 #define galaxy_SplatPicture_h
 
 #include "Filters/Splatting/JointParticles.h"
+#include "Filters/Splatting/LightGroups.h"
 #include "Filters/Splatting/Preview.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Tiles.h"
@@ -45,7 +46,8 @@ struct SplatRequest
 };
 
 /// The picture of all particles in a view, in one depth order, kept until something changes that it
-/// depends on: light is exposed, and its brightness changed, without it.
+/// depends on: light is exposed without it, and other brightnesses and colours of what only emits
+/// are sums of pictures that are kept.
 class SplatPicture
 {
 public:
@@ -55,7 +57,7 @@ public:
   void update(const std::vector<SplatPart>& parts, SplatRequest request);
 
   /// What update() made.
-  const RenderedImage& image() const { return this->last.image; }
+  const RenderedImage& image() const { return *this->last.image; }
 
   /// Whether somebody aborted the last picture asked for.
   bool isAborted() const { return this->aborted; }
@@ -65,38 +67,50 @@ public:
   bool refine();
 
 private:
-  /// All that a picture depends on.
-  struct State
+  /// What a picture shows, but for its light and how exact it is.
+  struct Scene
   {
     Camera camera;
     std::vector<float> opaqueDepth;
-    std::vector<double> parts; ///< their versions and exposures relative to the first
+    std::vector<double> parts; ///< their versions, kernel and component tables
+
+    bool operator==(const Scene& other) const;
+  };
+  /// All that a picture depends on.
+  struct State
+  {
+    Scene scene;
+    LightGains gains; ///< with the exposures relative to the first part's
     Accuracy accuracy = Accuracy::Bounded;
+    double slices = 0;  ///< Overlapping
     ErrorBound needed;  ///< no larger an error can be seen
     ErrorBound allowed; ///< that of the picture, less
     double seconds = 0; ///< that it may take; 0: however long
-    RenderedImage image;
+    std::shared_ptr<const RenderedImage> image = std::make_shared<RenderedImage>();
 
     bool isOfScene(const State& other) const;
     bool servesFor(const State& other) const;
   };
 
   RenderOptions optionsOf(const std::vector<SplatPart>& parts) const;
+  State stateOf(const std::vector<SplatPart>& parts, const RenderOptions& options) const;
   ParticleView view(const std::vector<SplatPart>& parts, std::vector<ParticleInput>& inputs);
   double nextSeconds(const SplatRequest& request, double shortest);
   void draw(const ParticleView& particles, const RenderOptions& options, State& next);
   void giveUp(const ParticleView& particles, const RenderOptions& options, State& next);
 
   State last;
+  State drawn; ///< what the light groups are of
+  LightGroups groups;
   RenderMemory memory;
   Preview preview;
   std::unique_ptr<JointParticles> joint; ///< of several parts
-  std::vector<double> versions;          ///< of the parts drawn
-  std::uint64_t version = 0;             ///< another one whenever these are others
-  double fullSeconds = 0;                ///< what the last picture of all particles took
-  double seconds = 0;     ///< what the picture shown was to take; 0: it is of all particles
-  bool isAwaited = false; ///< a better one will be asked for
-  bool aborted = false;   ///< the last one asked for
+  std::vector<double> versions; ///< of the parts drawn, and of colours that joint ones keep
+  std::uint64_t version = 0;    ///< another one whenever these are others
+  double fullSeconds = 0;       ///< what the last picture of all particles took
+  double seconds = 0;           ///< what the picture shown was to take; 0: it is of all particles
+  bool isAwaited = false;       ///< a better one will be asked for
+  bool aborted = false;         ///< the last one asked for
 };
 } // namespace galaxy
 

@@ -38,6 +38,20 @@ void main()
   gl_FragData[0] = vec4(texture2D(picture, texCoord).rgb, 1.0);
 }
 )";
+
+/// Makes the window's context the current one again, with the framebuffer that is drawn into: a
+/// widget's window binds its own where it is made current.
+void returnTo(vtkOpenGLRenderWindow* window)
+{
+  if (!window->IsCurrent())
+  {
+    vtkOpenGLState* state = window->GetState();
+    state->PushFramebufferBindings();
+    window->MakeCurrent();
+    state->ResetFramebufferBindings();
+    state->PopFramebufferBindings();
+  }
+}
 }
 
 struct vtkSplatProp::Canvas
@@ -143,6 +157,7 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
   }
   return galaxy::reportErrors(this, [&] {
     this->UpdatePicture(renderer, props);
+    returnTo(window);
     this->DrawPicture(window);
   });
 }
@@ -170,13 +185,12 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSpl
     this->Picture = std::make_unique<galaxy::SplatPicture>();
   }
   this->Picture->update(parts, std::move(request));
-  // What was drawn until now is to be seen all the same, in this window, whatever observers drew.
+  // What was drawn until now is to be seen all the same, whatever observers drew elsewhere.
   window->SetAbortRender(0);
-  window->MakeCurrent();
   const galaxy::RenderStatistics& statistics = this->Picture->image().statistics;
   for (vtkSplatProp* prop : props)
   {
-    prop->ActiveEffects = statistics.activeEffects;
+    prop->ActiveEffects = galaxy::activeEffects(statistics);
     prop->RenderStatistics =
       (this->Picture->isAborted() ? "aborted; " : "") + galaxy::describe(statistics);
   }

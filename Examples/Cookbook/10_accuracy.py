@@ -15,7 +15,7 @@ white = 1 / gp.exposure_for(gp.render(model, camera, SIZE))
 exact, rows = None, []
 for level in ("Sorted", "Bounded", "Preview"):  # and Overlapping, for thousands of particles
     picture = simple.SplatImage(Input=model, ImageSize=[SIZE, SIZE], Accuracy=level, White=white,
-                                **camera)
+                                PreviewTime=0.02, **camera)
     start = time.time()
     picture.UpdatePipeline()
     seconds = time.time() - start

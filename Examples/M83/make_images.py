@@ -11,10 +11,15 @@ Every structure is painted in the disc's own coordinates: r (arcsec) and phi, th
 disc from the receding major axis in the sense North through East. Tilted rings (m83.rings) carry
 them to the sky. M83 turns clockwise, its arms trail: they wind outward with increasing phi.
 """
+import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+# Functions that numpy has for AVX-512 alone round in their own way, and where clusters are born a
+# last digit decides: without them the images are the same on every machine.
+os.environ.setdefault("NPY_DISABLE_CPU_FEATURES", "AVX512F AVX512CD AVX512_SKX AVX512_CLX "
+                                                  "AVX512_CNL AVX512_ICL")
 import numpy as np
 
 from painting import Grid, Noise, Progress, fractal, ridged, smooth, write

@@ -73,7 +73,7 @@ private:
   TileGrid grid;
   const RenderOptions& options;
   ErrorBound allowed;
-  ProjectionCounts counts;
+  ParticleCounts counts;
   std::size_t untouched = 0, faint = 0;
   OrderNeeds tiles;
   ErrorBound bound;
@@ -93,7 +93,6 @@ RenderedImage Compositor::render()
   image.statistics.untouched = this->untouched;
   image.statistics.thickest = this->thickest;
   image.statistics.faint = this->faint;
-  image.statistics.unordered = this->tiles.thin + this->tiles.oneSource;
   image.statistics.bound = this->bound;
   const char* names[] = { "count", "project", "sort", "composite" };
   for (int stage = 0; stage < 4; ++stage)

@@ -299,7 +299,7 @@ RenderedImage renderOverlapping(
   WorkProgress progress(options.progress);
   const TileDealer dealer(projection, camera, options.memory ? *options.memory : own, progress);
   const TileGrid& grid = dealer.grid();
-  ProjectionCounts counts = dealer.missing();
+  ParticleCounts counts = dealer.missing();
   std::atomic<std::size_t> coarse{ 0 };
   for (int k = 0; k < dealer.bands() && !progress.isAborted(); ++k)
   {
@@ -322,10 +322,7 @@ RenderedImage renderOverlapping(
   }
   finishPicture(counts, { 1, 0, 0 }, progress.isAborted(), image);
   image.statistics.coarse = coarse;
-  if (counts.absorbers > 0)
-  {
-    image.statistics.activeEffects += "; overlapping particles by slices";
-  }
+  image.statistics.bySlices = true;
   image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
   return image;
 }

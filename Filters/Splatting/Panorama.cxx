@@ -164,40 +164,21 @@ void fillOutside(const Samples& samples, RenderedImage& image)
   }
 }
 
-void addSeconds(const RenderStatistics& from, RenderStatistics& to)
-{
-  for (const auto& stage : from.seconds)
-  {
-    const auto same = std::find_if(to.seconds.begin(), to.seconds.end(),
-      [&stage](const auto& other) { return other.first == stage.first; });
-    if (same == to.seconds.end())
-    {
-      to.seconds.push_back(stage);
-    }
-    else
-    {
-      same->second += stage.second;
-    }
-  }
-}
-
 void addStatistics(const RenderStatistics& from, RenderStatistics& to)
 {
-  to.activeEffects =
-    from.drawn > to.drawn || to.activeEffects.empty() ? from.activeEffects : to.activeEffects;
-  to.drawn += from.drawn;
-  to.culled += from.culled;
-  to.invalid = std::max(to.invalid, from.invalid);
-  to.absorbers += from.absorbers;
+  const std::size_t invalid = std::max(to.invalid, from.invalid);
+  to += from;
+  to.invalid = invalid;
+  to.tiles += from.tiles;
+  to.bySlices |= from.bySlices;
   to.sampled = std::max(to.sampled, from.sampled);
   to.untouched += from.untouched;
   to.faint += from.faint;
-  to.unordered += from.unordered;
   to.bound.light = std::max(to.bound.light, from.bound.light);
   to.bound.share = std::max(to.bound.share, from.bound.share);
   to.thickest = std::max(to.thickest, from.thickest);
   to.coarse += from.coarse;
-  addSeconds(from, to);
+  to.addSeconds(from);
 }
 
 /// The faces that a panorama shows something of.

@@ -1,9 +1,7 @@
 #ifndef galaxy_Picture_h
 #define galaxy_Picture_h
 
-#include "Filters/Splatting/ActiveEffects.h"
 #include "Filters/Splatting/Camera.h"
-#include "Filters/Splatting/Projection.h"
 #include "Filters/Splatting/Render.h"
 
 #include <algorithm>
@@ -31,19 +29,15 @@ inline RenderedImage emptyPicture(const Camera& camera)
 
 /// Says what became of the particles; a picture that was given up is empty.
 inline void finishPicture(
-  const ProjectionCounts& counts, const OrderNeeds& tiles, bool aborted, RenderedImage& image)
+  const ParticleCounts& counts, const OrderNeeds& tiles, bool aborted, RenderedImage& image)
 {
   image.aborted = aborted;
   if (aborted)
   {
     wipe(image);
   }
-  RenderStatistics& statistics = image.statistics;
-  statistics.drawn = counts.drawn;
-  statistics.culled = counts.culled;
-  statistics.invalid = counts.invalid;
-  statistics.absorbers = counts.absorbers;
-  statistics.activeEffects = activeEffects(counts, tiles);
+  static_cast<ParticleCounts&>(image.statistics) = counts;
+  image.statistics.tiles = tiles;
 }
 } // namespace galaxy
 

@@ -24,17 +24,6 @@ int clampedFloor(double x, int low, int high)
 }
 } // namespace
 
-ProjectionCounts& ProjectionCounts::operator+=(const ProjectionCounts& other)
-{
-  this->drawn += other.drawn;
-  this->culled += other.culled;
-  this->invalid += other.invalid;
-  this->emitters += other.emitters;
-  this->absorbers += other.absorbers;
-  this->colored += other.colored;
-  return *this;
-}
-
 Projection::Factors::Factors(const ComponentInfo& component, double weight)
   : size(component.size)
   , light(static_cast<float>(component.brightness * component.light * weight))
@@ -155,7 +144,7 @@ Projection::Place Projection::placeOf(std::size_t i) const
   return place;
 }
 
-PixelBox Projection::classify(std::size_t i, ProjectionCounts& counts) const
+PixelBox Projection::classify(std::size_t i, ParticleCounts& counts) const
 {
   const ParticleLight light = this->light(i);
   if (!this->valid(i, light))

@@ -43,18 +43,6 @@ struct ParticleLight
 /// So many consecutive particles are projected together.
 constexpr int particlesAtOnce = 1024;
 
-/// What happened to how many particles.
-struct ProjectionCounts
-{
-  std::size_t drawn = 0;
-  std::size_t culled = 0;
-  std::size_t invalid = 0;
-  std::size_t emitters = 0;
-  std::size_t absorbers = 0;
-  std::size_t colored = 0; ///< absorbers whose channels differ
-  ProjectionCounts& operator+=(const ProjectionCounts& other);
-};
-
 /// Particles seen through a camera.
 class Projection
 {
@@ -65,7 +53,7 @@ public:
 
   /// The pixels that particle i may touch (none unless it is to be drawn), and into which of the
   /// counts it falls.
-  PixelBox classify(std::size_t i, ProjectionCounts& counts) const;
+  PixelBox classify(std::size_t i, ParticleCounts& counts) const;
 
   const float* position(std::size_t i) const { return this->particles.position + 3 * i; }
 

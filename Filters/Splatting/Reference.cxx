@@ -1,6 +1,7 @@
 #include "Filters/Splatting/FootprintShare.h"
 #include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/Picture.h"
+#include "Filters/Splatting/Projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ void addDisc(const Disc& disc, std::size_t pixel, double share, Sums& sums)
   }
 }
 
-RenderedImage pictureOf(const Sums& sums, const Camera& camera, const ProjectionCounts& counts)
+RenderedImage pictureOf(const Sums& sums, const Camera& camera, const ParticleCounts& counts)
 {
   RenderedImage image = emptyPicture(camera);
   std::copy(sums.I.begin(), sums.I.end(), image.radiance.begin());
@@ -113,7 +114,7 @@ Sums emptySums(const Camera& camera)
 }
 
 std::vector<Disc> visibleDiscs(
-  const ParticleView& particles, const Camera& camera, Kernel kernel, ProjectionCounts& counts)
+  const ParticleView& particles, const Camera& camera, Kernel kernel, ParticleCounts& counts)
 {
   const Projection projection(particles, camera);
   std::vector<Disc> discs;
@@ -140,7 +141,7 @@ std::vector<Disc> visibleDiscs(
 RenderedImage renderReference(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
-  ProjectionCounts counts;
+  ParticleCounts counts;
   Sums sums = emptySums(camera);
   for (const Disc& disc : visibleDiscs(particles, camera, options.kernel, counts))
   {
@@ -159,7 +160,7 @@ RenderedImage renderInOrderOfRays(
     const Disc* disc;
     double share;
   };
-  ProjectionCounts counts;
+  ParticleCounts counts;
   const std::vector<Disc> discs = visibleDiscs(particles, camera, options.kernel, counts);
   std::vector<std::vector<Crossing>> crossings(std::size_t(camera.width) * camera.height);
   for (const Disc& disc : discs)

@@ -3,6 +3,7 @@
 
 #include "Filters/Model/Particles.h"
 #include "Filters/Splatting/Camera.h"
+#include "Filters/Splatting/RenderStatistics.h"
 #include "Readers/Formats/Progress.h"
 
 #include <array>
@@ -50,15 +51,6 @@ enum class Accuracy
   Preview,     ///< the same of a random part of the particles
 };
 
-/// How far a picture may be from another, in every pixel and channel: its light by no more than
-/// `light` and the share `share` of the light there together, its transmittance by no more than
-/// `share`.
-struct ErrorBound
-{
-  double light = 0; ///< luminosity per kpc^2
-  double share = 0; ///< a small number
-};
-
 struct RenderMemory;
 
 /// How to draw; none of it changes what the particles are.
@@ -78,24 +70,6 @@ struct RenderOptions
   /// for anew.
   RenderMemory* memory = nullptr;
   Progress progress; ///< what it ends leaves an empty picture
-};
-
-/// What a rendering did and what it cost.
-struct RenderStatistics
-{
-  std::size_t drawn = 0;     ///< particles that touch the image
-  std::size_t culled = 0;    ///< off the image, behind the camera, hidden or without effect
-  std::size_t invalid = 0;   ///< NaN, infinite or negative where that has no meaning
-  std::size_t absorbers = 0; ///< of those drawn
-  std::size_t sampled = 0;   ///< particles that were to stand for all (Preview)
-  std::size_t untouched = 0; ///< splats in tiles behind what lets no light through
-  std::size_t faint = 0;     ///< splats left out as too faint to matter (Bounded)
-  std::size_t unordered = 0; ///< tiles with absorbers whose order does not matter
-  ErrorBound bound;          ///< on the error of what was left out (Bounded)
-  double thickest = 0;       ///< the largest optical depth of one particle
-  std::size_t coarse = 0;    ///< tiles with fewer slices than asked for (Overlapping)
-  std::vector<std::pair<std::string, double>> seconds; ///< by stage
-  std::string activeEffects;                           ///< what the scene called for, in words
 };
 
 /// A finished picture in linear light, rows from the bottom up.

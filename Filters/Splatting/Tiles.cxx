@@ -50,7 +50,7 @@ public:
   }
 
   void count(Buffer<std::uint32_t>& home, std::vector<std::uint32_t>& counts,
-    std::vector<DepthRange>& depths, ProjectionCounts& absent)
+    std::vector<DepthRange>& depths, ParticleCounts& absent)
   {
     const std::unique_ptr<BlockTiles> tiles(new BlockTiles);
     for (std::size_t i = this->begin; i < this->end; i += SplatBlock::most)
@@ -74,7 +74,7 @@ public:
   }
 
   /// The writer has a list for every tile of the band.
-  void deal(SplatWriter& writer, const TileSpan& band, ProjectionCounts& counts)
+  void deal(SplatWriter& writer, const TileSpan& band, ParticleCounts& counts)
   {
     std::size_t next = this->begin;
     this->list(next, band, this->lists[0]);
@@ -148,7 +148,7 @@ private:
   /// Counts particle i in the tiles that it may touch, and says where it is.
   std::uint32_t countOne(std::size_t i, const BlockTiles& tiles, int k,
     std::vector<std::uint32_t>& counts, std::vector<DepthRange>& depths,
-    ProjectionCounts& absent) const
+    ParticleCounts& absent) const
   {
     const std::uint32_t home = tiles.home[k];
     if (home == TileHome::invalid)
@@ -206,7 +206,7 @@ private:
     }
   }
 
-  void count(ProjectionCounts& counts) const
+  void count(ParticleCounts& counts) const
   {
     const auto of = [this](Fate fate) { return this->tally[static_cast<int>(fate)]; };
     const std::size_t colors = of(Fate::AbsorbsColors) + of(Fate::SlabColors);
@@ -250,7 +250,7 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
   }
   this->progress.begin(countingShare, projection.size());
   const std::size_t parts = this->counts.size();
-  std::vector<ProjectionCounts> absences(parts);
+  std::vector<ParticleCounts> absences(parts);
   std::vector<std::vector<DepthRange>> ranges(parts, std::vector<DepthRange>(this->tiles.size()));
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)
@@ -337,7 +337,7 @@ const TileBand& TileDealer::deal(int k) const
 #pragma omp parallel for schedule(static, 1)
   for (std::size_t part = 0; part < parts; ++part)
   {
-    ProjectionCounts counted;
+    ParticleCounts counted;
     SplatWriter writer(band.splats, places[part]);
     const std::unique_ptr<Share> share(new Share(*this, part, parts));
     share->deal(writer, { firstTile, lastTile, this->tiles.columns }, counted);

@@ -21,7 +21,7 @@ struct TileBand
   int lastTile = 0;               ///< one beyond
   std::vector<std::size_t> first; ///< of each tile's splats, and of those after the last
   SplatMemory splats;             ///< tile after tile, in a tile by the particles' index
-  ProjectionCounts counts;        ///< of the particles that have a splat here
+  ParticleCounts counts;          ///< of the particles that have a splat here
 };
 
 /// What a picture is made in: 16 bytes a particle, or 64 MB.
@@ -52,7 +52,7 @@ public:
   const TileDepths& depthsOf(int tile) const { return this->depths[tile]; }
   std::size_t splatsOf(int tile) const { return this->totals[tile]; }
   /// Particles that are nowhere: off the image, behind the eye or hidden, and invalid ones.
-  const ProjectionCounts& missing() const { return this->absent; }
+  const ParticleCounts& missing() const { return this->absent; }
 
 private:
   class Share;
@@ -68,7 +68,7 @@ private:
   std::vector<std::size_t> totals;                ///< by tile
   std::size_t sum = 0;                            ///< of them
   std::vector<TileDepths> depths;                 ///< by tile
-  ProjectionCounts absent;
+  ParticleCounts absent;
   std::vector<int> starts;     ///< the first tile of each band, and the number of tiles
   std::size_t largestBand = 0; ///< splats
 };

@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLWidget>
 #include <QResizeEvent>
 #include <QWheelEvent>
 #include <QWidget>
@@ -61,9 +63,17 @@ WaitingInput::~WaitingInput() = default;
 void WaitingInput::answer(QWidget* button)
 {
   this->Button = button;
+  // Where a view is drawing, it goes on with the context that it left; what is painted meanwhile
+  // makes others the current one.
+  QOpenGLContext* context = QOpenGLContext::currentContext();
+  QSurface* surface = context ? context->surface() : nullptr;
   QApplication::instance()->installEventFilter(this);
   QApplication::processEvents(QEventLoop::ExcludeSocketNotifiers);
   QApplication::instance()->removeEventFilter(this);
+  if (context)
+  {
+    context->makeCurrent(surface);
+  }
 }
 
 bool WaitingInput::eventFilter(QObject* receiver, QEvent* event)
@@ -72,12 +82,17 @@ bool WaitingInput::eventFilter(QObject* receiver, QEvent* event)
   {
     return true; // it comes again
   }
-  // Windows get what the user does first, and pass it on to their widgets.
-  if (!receiver->isWindowType() || !event->spontaneous() || isOn(this->Button, event))
+  // A view that draws keeps what it draws into.
+  const bool isView = qobject_cast<QOpenGLWidget*>(receiver) != nullptr;
+  if (isView && event->type() == QEvent::Paint)
   {
-    return false;
+    return true;
   }
-  std::unique_ptr<QEvent> copy = copyOf(event);
+  const bool isResized = isView && event->type() == QEvent::Resize;
+  // Windows get what the user does first, and pass it on to their widgets.
+  const bool isUsers =
+    receiver->isWindowType() && event->spontaneous() && !isOn(this->Button, event);
+  std::unique_ptr<QEvent> copy = isUsers || isResized ? copyOf(event) : nullptr;
   const bool waits = copy != nullptr;
   if (waits)
   {

@@ -120,7 +120,7 @@ public:
     {
       std::printf(", \"bound\": %.6g", bound);
     }
-    std::printf(", \"effects\": \"%s\"}", image.statistics.activeEffects.c_str());
+    std::printf(", \"effects\": \"%s\"}", activeEffects(image.statistics).c_str());
     std::fflush(stdout);
     return image;
   }

@@ -55,7 +55,7 @@ struct Amounts
 #pragma omp parallel for schedule(static) reduction(+ : sums[:4])
     for (std::size_t i = 0; i < particles.size; ++i)
     {
-      ProjectionCounts counts;
+      ParticleCounts counts;
       const PixelBox box = projection.classify(i, counts);
       if (box.empty())
       {

@@ -58,7 +58,7 @@ void run(benchmark::State& state, Bench& bench, const BenchView& view, Accuracy 
     state.counters[stage.first] = stage.second;
   }
   state.counters["drawn"] = static_cast<double>(last.drawn);
-  state.SetLabel(last.activeEffects);
+  state.SetLabel(activeEffects(last));
 }
 } // namespace
 

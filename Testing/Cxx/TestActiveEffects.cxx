@@ -39,8 +39,8 @@ TEST(ActiveEffects, OneSourceFunctionNeedsNoOrder)
   {
     const auto statistics = check(oneSourceScene({ 3, 0.2F, 7 }), kernel);
     EXPECT_EQ(
-      statistics.activeEffects, "emission; per-channel absorption; one source function, no sort");
-    EXPECT_GT(statistics.unordered, 10U);
+      activeEffects(statistics), "emission; per-channel absorption; one source function, no sort");
+    EXPECT_GT(statistics.tiles.unordered(), 10U);
   }
   // The light is S (1 - T).
   const auto image = renderSorted(oneSourceScene({ 3, 0, 1 }).view(), testCamera(true));
@@ -54,7 +54,7 @@ TEST(ActiveEffects, OneSourceFunctionNeedsNoOrder)
 TEST(ActiveEffects, AbsorbersAloneNeedNoOrder)
 {
   const auto statistics = check(oneSourceScene({ 0, 0, 0 }));
-  EXPECT_EQ(statistics.activeEffects, "per-channel absorption; one source function, no sort");
+  EXPECT_EQ(activeEffects(statistics), "per-channel absorption; one source function, no sort");
 }
 
 TEST(ActiveEffects, OneParticleOfAnotherSourceAsksForOrderWhereItIs)
@@ -62,9 +62,9 @@ TEST(ActiveEffects, OneParticleOfAnotherSourceAsksForOrderWhereItIs)
   Scene scene = oneSourceScene({ 3, 0.2F, 7 });
   scene.add({ 0, 0, 0 }, 0.5, { 20, 20, 20 });
   const auto statistics = check(scene);
-  EXPECT_GT(statistics.unordered, 10U);
-  EXPECT_NE(statistics.activeEffects.find("none in"), std::string::npos)
-    << statistics.activeEffects;
+  EXPECT_GT(statistics.tiles.unordered(), 10U);
+  EXPECT_NE(activeEffects(statistics).find("none in"), std::string::npos)
+    << activeEffects(statistics);
   scene.emission[0] *= 1.01F;
   check(scene);
 }
@@ -72,7 +72,7 @@ TEST(ActiveEffects, OneParticleOfAnotherSourceAsksForOrderWhereItIs)
 TEST(ActiveEffects, NoAbsorberNoSort)
 {
   const auto statistics = check(randomScene(3000, false));
-  EXPECT_EQ(statistics.activeEffects, "emission; no absorber, no sort");
+  EXPECT_EQ(activeEffects(statistics), "emission; no absorber, no sort");
 }
 
 TEST(ActiveEffects, EmittersAmongThemselvesHaveNoOrder)
@@ -102,8 +102,8 @@ TEST(ActiveEffects, GreyAbsorptionIsColouredAbsorptionOfEqualChannels)
       nearly.absorption[3 * i + c] = c == 2 ? above : K;
     }
   }
-  EXPECT_NE(check(grey).activeEffects.find("grey absorption"), std::string::npos);
-  EXPECT_NE(check(nearly).activeEffects.find("per-channel absorption"), std::string::npos);
+  EXPECT_NE(activeEffects(check(grey)).find("grey absorption"), std::string::npos);
+  EXPECT_NE(activeEffects(check(nearly)).find("per-channel absorption"), std::string::npos);
   const auto a = renderSorted(grey.view(), testCamera(true));
   const auto b = renderSorted(nearly.view(), testCamera(true));
   EXPECT_LT(largestDifference(a.radiance, b.radiance), 1e-6 * largest(a.radiance));

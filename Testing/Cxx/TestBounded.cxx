@@ -131,7 +131,7 @@ TEST(Bounded, ThinDustNeedsNoOrderThickDustDoes)
       scene.add({ 0, 0, -9.9 + 0.001 * k }, 1, { 0.1F, 0, 0 }); // among the sheets
     }
     const auto done = check(scene, testCamera(true, 24, 24), { 0, 4e-3 });
-    EXPECT_EQ(done.unordered > 0, tau < 9e-4) << tau;
+    EXPECT_EQ(done.tiles.unordered() > 0, tau < 9e-4) << tau;
   }
 }
 

@@ -210,7 +210,7 @@ TEST(RenderInvariance, NothingToDrawIsAnEmptyPicture)
   EXPECT_EQ(image.radiance.size(), 3u * 200 * 150);
   EXPECT_EQ(largest(image.radiance), 0);
   EXPECT_EQ(image.transmittance[17], 1.0f);
-  EXPECT_EQ(image.statistics.activeEffects, "nothing in view");
+  EXPECT_EQ(activeEffects(image.statistics), "nothing in view");
   EXPECT_TRUE(renderSorted({}, testCamera(false, 0, 0)).radiance.empty());
 }
 
@@ -253,7 +253,7 @@ TEST(RenderInvariance, ComponentsEmitOrAbsorbAndHaveTheirFactors)
   const auto b = renderSorted(same.view(), testCamera(true));
   EXPECT_LT(largestDifference(a.radiance, b.radiance), 2e-7 * largest(b.radiance));
   EXPECT_LT(largestDifference(a.transmittance, b.transmittance), 2e-7);
-  EXPECT_EQ(a.statistics.activeEffects,
+  EXPECT_EQ(activeEffects(a.statistics),
     "emission; per-channel absorption; depth order among 1 absorbers and 2 emitters");
 }
 
@@ -284,7 +284,7 @@ TEST(RenderInvariance, EmissionAndAbsorptionReplaceIntensityAndColor)
   const std::vector<float> K{ 0, 0, 1e-3f };
   view.absorption = K.data();
   view.absorptionChannels = 1;
-  EXPECT_EQ(renderSorted(view, testCamera(true)).statistics.activeEffects,
+  EXPECT_EQ(activeEffects(renderSorted(view, testCamera(true)).statistics),
     "emission; grey absorption; depth order among 1 absorbers and 2 emitters");
 }
 TEST(RenderInvariance, BehindWhatLetsNothingThroughNothingIsDrawn)

@@ -1,12 +1,13 @@
 """The representation Splats in a render view, beside other things. Needs a display."""
 import re
+import time
 import unittest
 
 import numpy as np
 from paraview import simple
 
 import galaxy_testing as gt
-from view_testing import G0, H, SIZE, ViewTest
+from view_testing import G0, H, MANY, SIZE, ViewTest
 
 gt.load_plugin()
 
@@ -150,6 +151,38 @@ class View(ViewTest):
         self.shot()
         self.assertNotEqual(statistics(), before)
 
+    def test_a_components_light_changes_without_drawing(self):
+        model = simple.GalaxyModel(Input=simple.GalaxyReader(FileName=gt.M83), ParticleScale=0.02)
+        display = self.show(model, Exposure=0.5)
+        self.view.CameraParallelScale = 9.0
+        self.view.CameraPosition, self.view.CameraFocalPoint = [0, -25, 25], [0, 0, 0]
+
+        def change(draws, **settings):
+            for name, value in settings.items():
+                setattr(display, name, value)
+            shown = self.shot()
+            display.UpdatePropertyInformation()
+            self.assertEqual("composite" in display.RenderStatistics, draws, settings)
+            return shown
+
+        change(True)
+        change(True, ComponentBrightness=["stars", "2"])
+        bright = change(False, ComponentBrightness=["stars", "3"])
+        change(True, ComponentBrightness=["stars", "3"], ComponentVisibility=["gas", "0"])
+        change(False, ComponentBrightness=["stars", "0.5"])
+        change(True, ComponentBrightness=["stars", "0.5", "dust", "2"])  # dims the others
+        change(True, ComponentColor=["bulge", "1", "0", "0"])  # has had colours of its particles
+        change(True, ComponentColor=["bulge", "0", "1", "0"])
+        green = change(False, ComponentColor=["bulge", "0", "1", "0.5"])
+        # What is shown without drawing is what drawing shows.
+        self.view.CameraPosition = [0, -25, 20]
+        self.shot()
+        self.view.CameraPosition = [0, -25, 25]
+        np.testing.assert_allclose(change(True), green, atol=2 / 255)
+        settings = {"ComponentVisibility": [], "ComponentColor": []}
+        again = change(True, ComponentBrightness=["stars", "3"], **settings)
+        np.testing.assert_allclose(again, bright, atol=2 / 255)
+
     def test_black_and_white_points(self):
         display = self.show(self.emitter(), Exposure=0.5 / G0)
         self.keep_camera()
@@ -182,7 +215,7 @@ class View(ViewTest):
         self.assertEqual(self.shot().max(), 0)
 
     def test_a_preview_while_the_view_moves(self):
-        display, whole = self.show_many(200000)
+        display, whole = self.show_many(MANY)
         self.assertNotIn("stand for all", display.RenderStatistics)
         self.view.LODThreshold = 0  # also what is small is "large" then
         view = self.view.GetClientSideObject()
@@ -198,7 +231,7 @@ class View(ViewTest):
         np.testing.assert_allclose(after, whole, atol=1 / 254)
 
     def test_a_view_that_rests_is_refined(self):
-        display, whole = self.show_many(400000)
+        display, whole = self.show_many(MANY)
         self.view.LODThreshold = 0
         view = self.view.GetClientSideObject()
         view.Update()
@@ -235,7 +268,7 @@ class View(ViewTest):
         np.testing.assert_allclose(self.shot(), whole, atol=1 / 254)
 
     def test_drawing_tells_how_far_it_is_and_can_be_aborted(self):
-        display, whole = self.show_many(400000)
+        display, whole = self.show_many(MANY)
         splats = display.GetClientSideObject().GetActiveRepresentation()
         told = []
 
@@ -267,18 +300,19 @@ class View(ViewTest):
         self.assertNotIn("aborted", display.RenderStatistics)
 
     def test_refining_waits_while_the_view_is_used(self):
-        display, whole = self.show_many(400000)
+        display, whole = self.show_many(MANY)
         self.view.LODThreshold = 0
         self.view.GetClientSideObject().Update()
         self.view.SMProxy.StreamingUpdate(True)
         self.view.CameraPosition = [0, 0, 6]
         self.view.InteractiveRender()
-        self.view.CameraPosition = [0, 0, 5]
+        self.view.CameraPosition = [0, 0, 7]  # seen alike, but not what has been drawn
         self.view.InteractiveRender()
         self.view.StillRender()
         preview = self.pixels()
         window = self.view.GetRenderWindow()
         asked = window.AddObserver("AbortCheckEvent", lambda caller, _: caller.SetAbortRender(1))
+        time.sleep(0.25)  # a window asks no more than five times a second
         self.assertTrue(self.view.SMProxy.StreamingUpdate(True))
         np.testing.assert_array_equal(self.pixels(), preview)
         window.RemoveObserver(asked)

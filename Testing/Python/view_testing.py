@@ -12,6 +12,7 @@ import galaxy_testing as gt
 
 SIZE = 240
 H = 0.9
+MANY = 1000000  # particles that take longer than PreviewTime = 0.01 on any machine
 G0 = 1 / (np.pi * (H / 3) ** 2 * (1 - np.exp(-9)))  # of a particle of h = H, in its middle
 
 

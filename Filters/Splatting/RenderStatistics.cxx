@@ -1,5 +1,6 @@
-#include "Filters/Splatting/ActiveEffects.h"
+#include "Filters/Splatting/RenderStatistics.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace galaxy
@@ -22,16 +23,26 @@ std::string shortCount(std::size_t count)
   return text;
 }
 
-OrderNeeds& OrderNeeds::operator+=(const OrderNeeds& other)
+void RenderStatistics::addSeconds(const RenderStatistics& other)
 {
-  this->ordered += other.ordered;
-  this->oneSource += other.oneSource;
-  this->thin += other.thin;
-  return *this;
+  for (const auto& stage : other.seconds)
+  {
+    const auto same = std::find_if(this->seconds.begin(), this->seconds.end(),
+      [&stage](const auto& mine) { return mine.first == stage.first; });
+    if (same == this->seconds.end())
+    {
+      this->seconds.push_back(stage);
+    }
+    else
+    {
+      same->second += stage.second;
+    }
+  }
 }
 
-std::string activeEffects(const ProjectionCounts& counts, const OrderNeeds& tiles)
+std::string activeEffects(const RenderStatistics& counts)
 {
+  const OrderNeeds& tiles = counts.tiles;
   if (counts.drawn == 0)
   {
     return "nothing in view";
@@ -52,11 +63,11 @@ std::string activeEffects(const ProjectionCounts& counts, const OrderNeeds& tile
   {
     text += " and " + shortCount(others) + " emitters";
   }
-  if (const std::size_t rest = tiles.oneSource + tiles.thin; rest > 0)
+  if (const std::size_t rest = tiles.unordered(); rest > 0)
   {
     text += "; none in " + shortCount(rest) + " of " + shortCount(rest + tiles.ordered) +
       " tiles with absorbers";
   }
-  return text;
+  return counts.bySlices ? text + "; overlapping particles by slices" : text;
 }
 } // namespace galaxy
