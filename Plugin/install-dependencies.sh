@@ -11,7 +11,7 @@ packages="build-essential cmake ninja-build pkg-config
   xvfb xauth python3 python3-numpy python3-astropy python3-pil fonts-dejavu-core libqt5svg5
   qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools"
 if [ "${1:-}" = "--tests" ]; then
-  packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool
+  packages="$packages libgtest-dev libbenchmark-dev clang-format imagemagick xdotool openmpi-bin
     python3-h5py python3-yt python3-matplotlib splash openexr ffmpeg"
 fi
 

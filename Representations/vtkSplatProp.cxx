@@ -33,9 +33,12 @@ const char* FragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 texCoord;
 uniform sampler2D picture;
+uniform bool isTransmittance;
 void main()
 {
-  gl_FragData[0] = vec4(texture2D(picture, texCoord).rgb, 1.0);
+  vec3 color = texture2D(picture, texCoord).rgb;
+  gl_FragData[0] = vec4(color, isTransmittance ? 1.0 - (color.r + color.g + color.b) / 3.0 : 1.0);
+  gl_FragDepth = 0.999999;
 }
 )";
 
@@ -59,7 +62,8 @@ struct vtkSplatProp::Canvas
   vtkSmartPointer<vtkTextureObject> texture = vtkSmartPointer<vtkTextureObject>::New();
   std::unique_ptr<vtkOpenGLQuadHelper> quad;
 
-  void draw(vtkOpenGLRenderWindow* window, const float* rgb, int width, int height)
+  void draw(
+    vtkOpenGLRenderWindow* window, const float* rgb, int width, int height, bool isTransmittance)
   {
     if (!this->quad)
     {
@@ -75,6 +79,7 @@ struct vtkSplatProp::Canvas
     this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     this->texture->Activate();
     this->quad->Program->SetUniformi("picture", this->texture->GetTextureUnit());
+    this->quad->Program->SetUniformi("isTransmittance", isTransmittance);
     this->quad->Render();
     this->texture->Deactivate();
   }
@@ -241,10 +246,24 @@ void vtkSplatProp::DrawPicture(vtkOpenGLRenderWindow* window)
   {
     this->GLCanvas = std::make_unique<Canvas>();
   }
-  state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-  this->GLCanvas->draw(window, image.transmittance.data(), image.width, image.height);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  this->GLCanvas->draw(window, display.data(), image.width, image.height);
+  // Processes' pictures get their background afterwards, by their alpha.
+  const bool isLayer = this->Composited;
+  state->vtkglBlendFuncSeparate(
+    GL_ZERO, GL_SRC_COLOR, isLayer ? GL_ONE : GL_ZERO, isLayer ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+  this->GLCanvas->draw(window, image.transmittance.data(), image.width, image.height, true);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, isLayer ? GL_ZERO : GL_ONE, GL_ONE);
+  this->GLCanvas->draw(window, display.data(), image.width, image.height, false);
+  if (isLayer)
+  {
+    // Only where nothing is: what is nearer keeps its depth.
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglDepthFunc(GL_LESS);
+    this->GLCanvas->draw(window, display.data(), image.width, image.height, false);
+  }
 }
 
 void vtkSplatProp::ReleaseGraphicsResources(vtkWindow* window)

@@ -79,6 +79,13 @@ public:
   ///@}
 
   ///@{
+  /// Whether the pictures of several processes, each of all particles, are put together by their
+  /// depths: what is drawn then counts as something in front of the background.
+  vtkSetMacro(Composited, bool);
+  vtkGetMacro(Composited, bool);
+  ///@}
+
+  ///@{
   /// Whether Refine() will be called when the view rests: the first picture is then the last
   /// preview. Else it is the whole one.
   vtkSetMacro(Refining, bool);
@@ -130,6 +137,7 @@ private:
   double WhitePoint[3] = { 1, 1, 1 };
   bool Interactive = false;
   bool Refining = false;
+  bool Composited = false;
   bool Aborted = false;
   double Bounds[6];
   vtkMTimeType BoundsTime = 0;

@@ -8,11 +8,17 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVServerInformation.h"
+#include "vtkPVSession.h"
 #include "vtkPolyData.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkSplatRepresentation);
 
@@ -27,6 +33,33 @@ std::string linesOf(vtkStringArray* names)
   }
   return lines;
 }
+
+/// How many processes have the data, also where a client asks.
+int processes()
+{
+  auto session =
+    vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession());
+  vtkPVServerInformation* server = session ? session->GetServerInformation() : nullptr;
+  return server ? server->GetNumberOfProcesses() : 1;
+}
+
+/// Whether a process has the particles that the first one has, as where each has read the same
+/// file, and not a part of all. To be asked by all of them.
+bool isCopy(vtkPolyData* particles)
+{
+  vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
+  if (!all || all->GetNumberOfProcesses() == 1)
+  {
+    return false;
+  }
+  constexpr int size = 7;
+  double mine[size], first[size];
+  mine[0] = static_cast<double>(particles->GetNumberOfPoints());
+  particles->GetBounds(mine + 1);
+  std::copy_n(mine, size, first);
+  all->Broadcast(first, size, 0);
+  return all->GetLocalProcessId() > 0 && std::equal(mine, mine + size, first);
+}
 }
 
 vtkSplatRepresentation::vtkSplatRepresentation()
@@ -34,6 +67,7 @@ vtkSplatRepresentation::vtkSplatRepresentation()
   , Annotation(vtkSmartPointer<vtkSkyAnnotation>::New())
   , Settings(this->Prop->GetSettings())
   , Particles(vtkSmartPointer<vtkPolyData>::New())
+  , Piece(Particles)
 {
   this->Prop->AddObserver(vtkCommand::ProgressEvent, this, &vtkSplatRepresentation::OnProgress);
 }
@@ -58,6 +92,7 @@ int vtkSplatRepresentation::RequestData(
       this->Particles->ShallowCopy(input);
     }
   }
+  this->Piece = isCopy(this->Particles) ? vtkSmartPointer<vtkPolyData>::New() : this->Particles;
   this->ComponentNames = linesOf(vtkStringArray::SafeDownCast(
     this->Particles->GetFieldData()->GetAbstractArray("ComponentName")));
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -81,7 +116,11 @@ int vtkSplatRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    vtkPVView::SetPiece(inInfo, this, this->Particles);
+    vtkPVView::SetPiece(inInfo, this, this->Piece);
+    if (processes() > 1)
+    {
+      vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, true);
+    }
     vtkPVRenderView::SetStreamable(inInfo, this, true);
     double bounds[6];
     galaxy::boundsOfKernels(this->Particles, *this->Settings, bounds);
@@ -94,6 +133,9 @@ int vtkSplatRepresentation::ProcessViewRequest(
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
     auto particles = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
     this->Prop->SetParticles(particles);
+    this->Prop->SetComposited(processes() > 1 &&
+      vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()))
+        ->GetUseDistributedRenderingForRender());
     this->Annotation->SetGroup(particles ? particles->GetFieldData() : nullptr);
     vtkDataArray* distance =
       particles ? particles->GetFieldData()->GetArray("SkyDistance") : nullptr;

@@ -81,6 +81,7 @@ private:
   vtkSmartPointer<vtkSkyAnnotation> Annotation;
   vtkSplatSettings* Settings;
   vtkSmartPointer<vtkPolyData> Particles;
+  vtkSmartPointer<vtkPolyData> Piece; ///< what all processes together have once
   std::string ComponentNames;
 };
 
