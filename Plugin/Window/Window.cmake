@@ -33,13 +33,19 @@ paraview_plugin_add_property_widget(
   CLASS_NAME pqInformationText
   INTERFACES text_interface
   SOURCES text_sources)
+paraview_plugin_add_property_widget(
+  KIND WIDGET_DECORATOR
+  TYPE "GalaxyUnit"
+  CLASS_NAME pqUnitDecorator
+  INTERFACES unit_interface
+  SOURCES unit_sources)
 
 set(window_interfaces
   ${menu_interface} ${toolbar_interface} ${opening_interface} ${abort_interface}
-  ${panel_interface} ${table_interface} ${text_interface})
+  ${panel_interface} ${table_interface} ${text_interface} ${unit_interface})
 set(window_sources
   ${menu_sources} ${toolbar_sources} ${opening_sources} ${abort_sources} ${panel_sources}
-  ${table_sources} ${text_sources}
+  ${table_sources} ${text_sources} ${unit_sources}
   Window/ActiveGalaxy.cxx
   Window/ComponentFactors.cxx
   Window/ComponentRow.cxx
@@ -66,5 +72,7 @@ set(window_sources
   Window/pqInformationText.cxx
   Window/pqInformationText.h
   Window/pqSplatsPanel.cxx
-  Window/pqSplatsPanel.h)
+  Window/pqSplatsPanel.h
+  Window/pqUnitDecorator.cxx
+  Window/pqUnitDecorator.h)
 set(window_resources Icons/GalaxyIcons.qrc)

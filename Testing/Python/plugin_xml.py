@@ -39,3 +39,8 @@ def properties(proxy):
     if base:
         found += properties(next(element for _, name, element in proxies() if name == base))
     return found
+
+
+def is_choice(prop):
+    """Whether a number stands for one of several words, or for yes and no."""
+    return any(prop.find(domain) is not None for domain in ("EnumerationDomain", "BooleanDomain"))

@@ -1,6 +1,7 @@
 """What a reader of the plugin's help finds: pages, sentences, and defaults that are the true ones."""
 import io
 import os
+import re
 import sqlite3
 import unittest
 from contextlib import redirect_stdout
@@ -20,6 +21,9 @@ GETTERS = {"SplatSettings": "vtkSplatSettings", "Splats": "vtkSplatProp"}
 ANNOTATION = ("ScaleBar", "Compass", "Labels")  # of Splats: members of vtkSkyAnnotation
 WITHOUT = ("AnnotationColor",)  # which is the Color of two classes
 UNREAD = -7777
+UNITS = r"(?i)\b(kpc|pc\^2|mpc|km/s|arcsec|degrees|myr|seconds|pixels)\b"
+# Numbers without one, or of one that depends on the data.
+WITHOUT_UNIT = ("Spheroid.Luminosity", "FITSReader.MaskValues")
 
 
 def with_getters():
@@ -111,6 +115,24 @@ class Sentences(unittest.TestCase):
                 elif prop.tag in ("IntVectorProperty", "DoubleVectorProperty"):
                     domains = [child for child in prop if child.tag.endswith("Domain")]
                     self.assertTrue(domains, what)
+
+    def test_the_unit_of_a_number_stands_in_its_label_and_its_sentences(self):
+        count = 0
+        for _, name, proxy in plugin_xml.proxies():
+            for prop in plugin_xml.own_properties(proxy):
+                is_number = prop.tag in ("IntVectorProperty", "DoubleVectorProperty")
+                if not is_number or plugin_xml.is_choice(prop):
+                    continue
+                text = " ".join(prop.find("Documentation").text.split())
+                told = re.search(UNITS, text)
+                hints = [hint.get("unit") for hint in prop.iter("PropertyWidgetDecorator")]
+                what = f"{name}.{prop.get('name')}"
+                self.assertEqual(bool(told and what not in WITHOUT_UNIT), bool(hints), what)
+                if hints:
+                    word = {"s": "seconds"}.get(hints[0], hints[0])
+                    self.assertIn(word.lower(), text.lower(), what)
+                    count += 1
+        self.assertGreater(count, 40)
 
     def test_labels_are_words(self):
         """And without their spaces the names, for scripts know a property by its label."""
