@@ -25,6 +25,12 @@ double mostOf(const LightGain& gain)
   return std::max({ gain[0], gain[1], gain[2] });
 }
 
+/// Finite and not negative: other light is drawn as invalid, and cannot be multiplied with.
+bool isAmount(const LightGain& gain)
+{
+  return std::all_of(gain.begin(), gain.end(), [](double x) { return x >= 0 && x < 1e30; });
+}
+
 /// A picture, and what its light is multiplied with.
 using ScaledImage = std::pair<const RenderedImage*, LightGain>;
 
@@ -86,27 +92,25 @@ void ComponentLights::add(const std::vector<ComponentInfo>& components,
   {
     const ComponentInfo& info = components[k];
     const bool scalesColor = info.isRecolored && !keepsColors;
-    const double light = visible[k] ? info.brightness * info.light : 0;
-    const bool isLight = !info.absorbs && !hasAbsorption;
-    this->gains.push_back(std::nullopt);
+    LightGain gain;
+    for (int c = 0; c < 3; ++c)
+    {
+      gain[c] = visible[k] ? info.brightness * info.light * (scalesColor ? info.color[c] : 1) : 0;
+    }
+    const bool isLight = !info.absorbs && !hasAbsorption && isAmount(gain);
+    this->gains.push_back(isLight ? std::optional<LightGain>(gain) : std::nullopt);
     this->others.insert(
       this->others.end(), { double(isLight), info.size, double(info.isRecolored) });
     if (!scalesColor || !isLight)
     {
       this->others.insert(this->others.end(), info.color.begin(), info.color.end());
     }
-    if (isLight)
+    if (!isLight)
     {
-      this->gains.back() = noLight;
-      for (int c = 0; c < 3; ++c)
-      {
-        (*this->gains.back())[c] = light * (scalesColor ? info.color[c] : 1);
-      }
-      continue;
+      this->others.insert(this->others.end(),
+        { double(info.absorbs), double(visible[k]), info.brightness, info.light });
+      this->others.insert(this->others.end(), info.absorption.begin(), info.absorption.end());
     }
-    this->others.insert(this->others.end(),
-      { double(info.absorbs), double(visible[k]), info.brightness, info.light });
-    this->others.insert(this->others.end(), info.absorption.begin(), info.absorption.end());
   }
 }
 

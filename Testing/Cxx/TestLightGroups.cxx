@@ -104,6 +104,7 @@ public:
       EXPECT_EQ(a.emitters, b.emitters);
       EXPECT_EQ(a.absorbers, b.absorbers);
       EXPECT_EQ(a.culled, b.culled);
+      EXPECT_EQ(a.invalid, b.invalid);
       EXPECT_EQ(activeEffects(a), activeEffects(b));
     }
     const auto& seconds = image->statistics.seconds;
@@ -240,6 +241,65 @@ TEST(LightGroups, TheErrorStaysWithinWhatIsNeeded)
   EXPECT_TRUE(isDrawn);
   const auto image = galaxy.show({ 1e-5, 1e-6 });
   EXPECT_GT(image->statistics.seconds.size(), 1U);
+}
+
+/// Whatever a user does, one thing after another or several at once.
+TEST(LightGroups, RandomChangesShowWhatDrawingShows)
+{
+  for (const Accuracy accuracy : { Accuracy::Sorted, Accuracy::Bounded })
+  {
+    Galaxy galaxy;
+    galaxy.accuracy = accuracy;
+    std::mt19937 random(3);
+    const auto below = [&random](int end) { return static_cast<int>(random() % unsigned(end)); };
+    const double factors[] = { 0, 1e-6, 0.3, 1, 1, 7, 1e4, -1, NAN };
+    const auto factor = [&] { return factors[below(below(8) == 0 ? 9 : 7)]; };
+    std::vector<double> scene = galaxy.lights().others;
+    int drawings = 0;
+    for (int step = 0; step < 150; ++step)
+    {
+      for (int changes = 1 + (below(4) == 0) * below(4); changes > 0; --changes)
+      {
+        const int k = below(below(10) == 0 ? 4 : 3); // dust more rarely
+        ComponentInfo& component = galaxy.components[k];
+        switch (below(4))
+        {
+          case 0:
+            component.brightness = factor();
+            break;
+          case 1:
+            component.light = factor();
+            break;
+          case 2:
+            component.isRecolored |= below(5) == 0;
+            component.color = { 0.5 * below(3), 0.5 * below(3), 0.5 * below(3) };
+            break;
+          default:
+            galaxy.visible[k] = below(2) == 0;
+        }
+      }
+      const std::vector<double> others = galaxy.lights().others;
+      if (others != scene)
+      {
+        galaxy.groups.clear();
+        scene = others;
+      }
+      if (below(10) == 0)
+      {
+        RenderOptions options = galaxy.options();
+        options.progress = [&](double) { return below(4) != 0; };
+        galaxy.groups.render(
+          galaxy.view(), galaxy.lights().gains, testCamera(false), options, { 1.6e-3, 4e-4 });
+      }
+      drawings += galaxy.drawsFor("step " + std::to_string(step));
+      if (HasFailure())
+      {
+        return;
+      }
+    }
+    EXPECT_LT(drawings, 100);
+    EXPECT_GT(drawings, 20);
+  }
 }
 
 TEST(LightGroups, AnAbortedDrawingIsMadeUpFor)
