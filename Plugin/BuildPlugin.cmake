@@ -2,12 +2,14 @@
 set(BUILD_SHARED_LIBS ON) # or ParaView makes the plugin a static library
 find_package(Python3 QUIET COMPONENTS Interpreter Development.Module)
 set(components RemotingViews WrapClientServer)
+set(galaxy_has_window OFF)
 if (GALAXY_BUILD_WINDOW)
-  find_package(Qt5 QUIET COMPONENTS Widgets Network OpenGL Svg Help)
-  if (Qt5_FOUND)
+  find_package(Qt${GALAXY_QT_VERSION} QUIET COMPONENTS Widgets Network OpenGL Svg Help)
+  if (Qt${GALAXY_QT_VERSION}_FOUND)
     list(APPEND components pqApplicationComponents)
+    set(galaxy_has_window ON)
   else ()
-    message(STATUS "No development files of Qt 5 (Widgets, Network, OpenGL, Svg, Help): the plugin is "
+    message(STATUS "No development files of Qt ${GALAXY_QT_VERSION} (Widgets, Network, OpenGL, Svg, Help): the plugin is "
       "built without its menu, toolbar and table of components. On Debian they are in qtbase5-dev, "
       "libqt5opengl5-dev, libqt5svg5-dev and qttools5-dev; GALAXY_BUILD_WINDOW=OFF leaves the window's "
       "part out unasked.")

@@ -1,5 +1,7 @@
 #include "WaitingInput.h"
 
+#include "CopyEvent.h"
+
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,7 +16,7 @@
 
 namespace
 {
-std::unique_ptr<QEvent> copyOf(QEvent* event)
+std::unique_ptr<QEvent> copyOf(const QEvent* event)
 {
   switch (event->type())
   {
@@ -22,14 +24,14 @@ std::unique_ptr<QEvent> copyOf(QEvent* event)
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
-      return std::make_unique<QMouseEvent>(*static_cast<QMouseEvent*>(event));
+      return galaxy::copyEvent<QMouseEvent>(event);
     case QEvent::Wheel:
-      return std::make_unique<QWheelEvent>(*static_cast<QWheelEvent*>(event));
+      return galaxy::copyEvent<QWheelEvent>(event);
     case QEvent::KeyPress:
     case QEvent::KeyRelease:
-      return std::make_unique<QKeyEvent>(*static_cast<QKeyEvent*>(event));
+      return galaxy::copyEvent<QKeyEvent>(event);
     case QEvent::Resize:
-      return std::make_unique<QResizeEvent>(*static_cast<QResizeEvent*>(event));
+      return galaxy::copyEvent<QResizeEvent>(event);
     case QEvent::Close:
       return std::make_unique<QEvent>(QEvent::Close);
     default:

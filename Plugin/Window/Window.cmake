@@ -50,6 +50,7 @@ set(window_sources
   Window/ComponentFactors.cxx
   Window/ComponentRow.cxx
   Window/ComponentRow.h
+  Window/CopyEvent.h
   Window/GalaxyActions.cxx
   Window/GalaxyExamples.cxx
   Window/PluginProxies.cxx
