@@ -13,6 +13,7 @@ them to the sky. M83 turns clockwise, its arms trail: they wind outward with inc
 """
 import os
 import sys
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -20,7 +21,9 @@ from pathlib import Path
 # last digit decides: without them the images are the same on every machine.
 os.environ.setdefault("NPY_DISABLE_CPU_FEATURES", "AVX512F AVX512CD AVX512_SKX AVX512_CLX "
                                                   "AVX512_CNL AVX512_ICL")
-import numpy as np
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")  # numpy says which of them a machine has not
+    import numpy as np
 
 from painting import Grid, Noise, Progress, fractal, ridged, smooth, write
 
