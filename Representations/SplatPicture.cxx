@@ -148,14 +148,12 @@ void SplatPicture::update(const std::vector<SplatPart>& parts, SplatRequest requ
   options.allowed = withHeadroom(unseen);
   options.memory = &this->memory;
   const bool isBettering = this->isAwaited;
-  double seconds = this->nextSeconds(request, options.previewTime);
-  seconds = options.accuracy == Accuracy::Preview ? options.previewTime : seconds;
-  options.accuracy = seconds > 0 ? Accuracy::Preview : options.accuracy;
   State next = this->stateOf(parts, options);
   next.scene.camera = request.camera;
   next.scene.opaqueDepth = std::move(request.opaqueDepth);
-  next.seconds = seconds;
   next.needed = unseen;
+  next.seconds = this->nextSeconds(request, options, next);
+  next.accuracy = options.accuracy = next.seconds > 0 ? Accuracy::Preview : options.accuracy;
   this->aborted = false;
   if (this->last.servesFor(next))
   {
@@ -189,8 +187,7 @@ void SplatPicture::draw(const ParticleView& particles, const RenderOptions& opti
       this->preview.render(particles, this->version, next.scene.camera, options, next.seconds));
     return;
   }
-  const bool isOther = !(this->drawn.scene == next.scene) ||
-    this->drawn.accuracy != next.accuracy || this->drawn.slices != next.slices;
+  const bool isOther = !this->isDrawn(next);
   if (isOther)
   {
     this->groups.clear();
@@ -219,6 +216,13 @@ void SplatPicture::giveUp(const ParticleView& particles, const RenderOptions& op
   }
   // What has to wait is tried again when the view rests.
   this->seconds = this->aborted ? 0 : this->last.seconds;
+}
+
+/// Whether the light groups are of this scene.
+bool SplatPicture::isDrawn(const State& next) const
+{
+  return this->drawn.scene == next.scene && this->drawn.accuracy == next.accuracy &&
+    this->drawn.slices == next.slices;
 }
 
 /// Where the particles are, `inputs` holding what had to be made of them.
@@ -256,8 +260,20 @@ ParticleView SplatPicture::view(
   return isJoint ? this->joint->view(views) : views.front();
 }
 
-double SplatPicture::nextSeconds(const SplatRequest& request, double shortest)
+double SplatPicture::nextSeconds(
+  const SplatRequest& request, const RenderOptions& options, const State& next)
 {
+  const double shortest = options.previewTime;
+  if (options.accuracy == Accuracy::Preview)
+  {
+    return shortest;
+  }
+  if (this->isDrawn(next) && this->groups.has(next.gains, next.needed))
+  {
+    this->isAwaited = false;
+    this->seconds = 0;
+    return 0;
+  }
   if (request.isMoving && this->fullSeconds > shortest)
   {
     this->seconds = shortest;

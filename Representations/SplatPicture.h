@@ -95,7 +95,8 @@ private:
   RenderOptions optionsOf(const std::vector<SplatPart>& parts) const;
   State stateOf(const std::vector<SplatPart>& parts, const RenderOptions& options) const;
   ParticleView view(const std::vector<SplatPart>& parts, std::vector<ParticleInput>& inputs);
-  double nextSeconds(const SplatRequest& request, double shortest);
+  double nextSeconds(const SplatRequest& request, const RenderOptions& options, const State& next);
+  bool isDrawn(const State& next) const;
   void draw(const ParticleView& particles, const RenderOptions& options, State& next);
   void giveUp(const ParticleView& particles, const RenderOptions& options, State& next);
 

@@ -153,6 +153,21 @@ std::shared_ptr<const RenderedImage> LightGroups::render(const ParticleView& par
   return this->combine(gains, drawings);
 }
 
+bool LightGroups::has(const LightGains& gains, const ErrorBound& needed) const
+{
+  for (std::size_t k = 0; k < this->groups.size(); ++k)
+  {
+    const Group& group = this->groups[k];
+    const bool serves =
+      group.image && this->ratio(group.members, gains) && this->serves(group, gains, needed);
+    if (!serves && this->isWanted(k, gains))
+    {
+      return false;
+    }
+  }
+  return !this->groups.empty();
+}
+
 /// With one group of all components, to be drawn.
 void LightGroups::begin(const LightGains& gains)
 {

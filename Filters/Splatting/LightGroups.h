@@ -46,6 +46,9 @@ public:
 
   void clear() { this->groups.clear(); }
 
+  /// Whether render() would draw nothing.
+  bool has(const LightGains& gains, const ErrorBound& needed) const;
+
   /// What the last picture may be off by at accuracy level `Bounded`.
   const ErrorBound& bound() const { return this->sum; }
 

@@ -236,10 +236,10 @@ class View(ViewTest):
         view = self.view.GetClientSideObject()
         view.Update()
 
-        def move():
+        def move(to):  # in parallel projection seen alike
             self.view.CameraPosition = [0, 0, 6]
             self.view.InteractiveRender()
-            self.view.CameraPosition = [0, 0, 5]
+            self.view.CameraPosition = [0, 0, to]
             self.view.InteractiveRender()
 
         def sampled():
@@ -249,7 +249,7 @@ class View(ViewTest):
             return int(found[1]) if found else None
 
         self.assertFalse(self.view.SMProxy.StreamingUpdate(True))  # there is nothing to refine
-        move()
+        move(7)
         self.view.StillRender()  # as when the mouse is released: the preview that is there
         counts = [sampled()]
         errors = [np.abs(self.pixels() - whole).mean()]
@@ -263,9 +263,12 @@ class View(ViewTest):
         self.assertLess(errors[-1], 1 / 254)
         self.assertEqual(errors, sorted(errors, reverse=True))
         # What is saved before that is whole.
-        move()
+        move(8)
         self.view.StillRender()
         np.testing.assert_allclose(self.shot(), whole, atol=1 / 254)
+        # And so is what has been drawn, when the view comes back to it.
+        move(8)
+        self.assertIsNone(sampled())
 
     def test_drawing_tells_how_far_it_is_and_can_be_aborted(self):
         display, whole = self.show_many(MANY)
