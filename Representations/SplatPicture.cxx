@@ -274,14 +274,16 @@ double SplatPicture::nextSeconds(
     this->seconds = 0;
     return 0;
   }
-  if (request.isMoving && this->fullSeconds > shortest)
+  // What is seen changes at once, and is bettered once the view rests.
+  const bool isNew = request.isRefined && !this->last.isOfScene(next);
+  if ((request.isMoving || isNew) && this->fullSeconds > shortest)
   {
     this->seconds = shortest;
     this->isAwaited = request.isRefined;
     return this->seconds;
   }
   // What nobody will better, as a picture that is to be saved, is of all particles.
-  this->seconds = this->isAwaited ? this->seconds : 0;
+  this->seconds = request.isRefined && this->isAwaited ? this->seconds : 0;
   this->isAwaited = false;
   return this->seconds;
 }

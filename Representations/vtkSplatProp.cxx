@@ -169,6 +169,7 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
 
 void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSplatProp*>& props)
 {
+  vtkRenderWindow* window = renderer->GetRenderWindow();
   galaxy::SplatRequest request;
   request.camera = galaxy::cameraOf(renderer);
   request.opaqueDepth = galaxy::opaqueDepth(renderer, request.camera);
@@ -181,9 +182,10 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSpl
     request.isMoving |= prop->Interactive;
     request.isRefined |= prop->Refining;
   }
+  // What is to be saved is not shown: nobody would see it bettered.
+  request.isRefined = request.isRefined && window->GetSwapBuffers() != 0;
   this->Aborted = false;
   request.progress = [this](double fraction) { return this->ReportProgress(fraction); };
-  vtkRenderWindow* window = renderer->GetRenderWindow();
   request.hasToWait = [window] { return window->CheckAbortStatus() != 0; };
   if (!this->Picture)
   {

@@ -269,6 +269,13 @@ class View(ViewTest):
         # And so is what has been drawn, when the view comes back to it.
         move(8)
         self.assertIsNone(sampled())
+        # Whatever else changes is seen at once too, and saved whole.
+        self.view.CameraPosition = [0, 0, 9]
+        self.view.StillRender()
+        self.assertIsNotNone(sampled())
+        self.view.CameraPosition = [0, 0, 10]
+        np.testing.assert_allclose(self.shot(), whole, atol=1 / 254)
+        self.assertIsNone(sampled())
 
     def test_drawing_tells_how_far_it_is_and_can_be_aborted(self):
         display, whole = self.show_many(MANY)
