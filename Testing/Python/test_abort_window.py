@@ -70,13 +70,15 @@ class AbortWindow(unittest.TestCase):
         person.screenshot("aborted")
         person.button(APPLY)
         person.screenshot("built")
-        person.button("GalaxyToolBar/galaxy-edge-on")  # aborted
-        person.screenshot("edge-on")
+        # The first of these to be drawn when the button is there is aborted.
+        for camera in ("edge-on", "face-on", "edge-on", "face-on", "edge-on"):
+            person.button("GalaxyToolBar/galaxy-" + camera)
+            person.screenshot(camera)
         return person.save()
 
     @classmethod
     def is_to_abort(cls):
-        """Building the model, and later drawing it edge-on."""
+        """Building the model, and later drawing it."""
         def shot(name):
             return os.path.exists(os.path.join(cls.folder, name + ".png"))
         if len(cls.pressed) == 0:
