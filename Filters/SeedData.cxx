@@ -2,6 +2,7 @@
 
 #include "Filters/AdoptBuffer.h"
 #include "Filters/Model/GalaxyBuilder.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/RingGeometry.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
@@ -41,14 +42,12 @@ Buffer<float> positionsOf(const SeedData& data)
   const Seeds& seeds = data.seeds;
   const auto count = static_cast<std::int64_t>(seeds.size());
   Buffer<float> positions(3 * seeds.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i)
-  {
+  parallelFor<std::int64_t>(0, count, [&](std::int64_t i) {
     const Vec3 p = disk.position(seeds.radius[i], seeds.azimuth[i]);
     positions[3 * i] = static_cast<float>(p.x);
     positions[3 * i + 1] = static_cast<float>(p.y);
     positions[3 * i + 2] = static_cast<float>(p.z);
-  }
+  });
   return positions;
 }
 

@@ -1,6 +1,7 @@
 #include "Filters/Export/ParticleCSV.h"
 
 #include "Filters/Export/AtomicFile.h"
+#include "Filters/Model/ParallelFor.h"
 
 #include <algorithm>
 #include <charconv>
@@ -117,11 +118,8 @@ void writeParticleCSV(
   for (std::size_t first = 0; first < chunks; first += chunksAtOnce)
   {
     const std::size_t count = std::min(chunksAtOnce, chunks - first);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      sizes[k] = formatChunk(table, first + k, texts[k]);
-    }
+    parallelForDynamic<std::size_t>(
+      0, count, 1, [&](std::size_t k) { sizes[k] = formatChunk(table, first + k, texts[k]); });
     for (std::size_t k = 0; k < count; ++k)
     {
       target.write(texts[k].data(), sizes[k]);

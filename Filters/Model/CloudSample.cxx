@@ -1,5 +1,6 @@
 #include "Filters/Model/CloudSample.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SameClones.h"
 
 #include <omp.h>
@@ -90,23 +91,27 @@ CloudSample::CloudSample(const float* position, std::size_t count, std::size_t m
   const auto room = static_cast<std::size_t>(std::ceil(mean + 5 * std::sqrt(mean) + 8));
   Box all;
   this->chosen.resize(omp_get_max_threads());
+  ParallelErrors errors;
 #pragma omp parallel
   {
     Box box;
     std::vector<float> mine;
-    mine.reserve(3 * static_cast<std::size_t>(count * this->taken / omp_get_num_threads()));
+    errors.run([&] {
+      mine.reserve(3 * static_cast<std::size_t>(count * this->taken / omp_get_num_threads()));
+    });
     std::uint8_t marks[blockSize];
 #pragma omp for schedule(static) nowait
     for (std::size_t i = 0; i < count; i += blockSize)
     {
       const std::size_t n = std::min(blockSize, count - i);
       survey(position + 3 * i, n, mask, box, marks);
-      copyChosen(position + 3 * i, n, marks, room, mine);
+      errors.run([&] { copyChosen(position + 3 * i, n, marks, room, mine); });
     }
 #pragma omp critical
     all.add(box);
     this->chosen[omp_get_thread_num()] = std::move(mine);
   }
+  errors.rethrow();
   for (int c = 0; c < 3; ++c)
   {
     this->low[c] = all.low[c];

@@ -2,6 +2,7 @@
 
 #include "Filters/Model/CellDistances.h"
 #include "Filters/Model/CloudSample.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SameClones.h"
 
 #include <omp.h>
@@ -163,11 +164,11 @@ void DensityGrid::countFresh(const CloudSample& sample)
   // Counts of each thread, for which a share of the sample's own memory is enough.
   const std::size_t affordable = 1 + sample.size() / size;
   const int threads = std::min<std::size_t>(affordable, omp_get_max_threads());
-  std::vector<std::vector<std::uint32_t>> counts(threads);
+  // The first for those in older cells.
+  std::vector<std::vector<std::uint32_t>> counts(threads, std::vector<std::uint32_t>(size + 1));
 #pragma omp parallel num_threads(threads)
   {
     std::vector<std::uint32_t>& mine = counts[omp_get_thread_num()];
-    mine.resize(size + 1); // the first for those in older cells
     Places places;
     for (const std::vector<float>& piece : sample.pieces())
     {
@@ -198,27 +199,23 @@ void DensityGrid::measureFresh(double share, bool mayRefine)
 {
   const double toAll = std::cbrt(share);
   const std::uint32_t most = refineAbove * this->neighbours;
-#pragma omp parallel
-  {
-    CellDistances distances(this->neighbours);
-#pragma omp for schedule(dynamic, 16)
-    for (std::size_t k = 0; k < this->fresh.size(); ++k)
+  std::vector<CellDistances> spaces(omp_get_max_threads(), CellDistances(this->neighbours));
+  parallelForDynamic<std::size_t>(0, this->fresh.size(), 16, [&](std::size_t k) {
+    const Cube& cube = this->fresh[k];
+    std::uint32_t* counts = &this->cells[cube.first];
+    CellDistances& distances = spaces[omp_get_thread_num()];
+    distances.compute(counts, cube.bits, std::ldexp(1 / this->scale, cube.shift));
+    for (std::size_t i = 0; i < cellsOf(cube.bits); ++i)
     {
-      const Cube& cube = this->fresh[k];
-      std::uint32_t* counts = &this->cells[cube.first];
-      distances.compute(counts, cube.bits, std::ldexp(1 / this->scale, cube.shift));
-      for (std::size_t i = 0; i < cellsOf(cube.bits); ++i)
+      if (mayRefine && cube.shift > 0 && counts[i] > most)
       {
-        if (mayRefine && cube.shift > 0 && counts[i] > most)
-        {
-          counts[i] |= refined;
-          continue;
-        }
-        const float d = static_cast<float>(toAll * distances.distance(i));
-        std::memcpy(counts + i, &d, sizeof(d));
+        counts[i] |= refined;
+        continue;
       }
+      const float d = static_cast<float>(toAll * distances.distance(i));
+      std::memcpy(counts + i, &d, sizeof(d));
     }
-  }
+  });
 }
 
 void DensityGrid::refine()

@@ -3,6 +3,7 @@
 #include "Filters/Model/BelowFocus.h"
 #include "Filters/Model/FractalDust.h"
 #include "Filters/Model/NormalSequence.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SineCosine.h"
 #include "Readers/Formats/Error.h"
 
@@ -272,11 +273,8 @@ ParticleStarts countFilaments(const Seeds& seeds, const TiltedDisk& disk,
   }
   ParticleStarts starts(seeds.size() + 1);
   starts[0] = 0;
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
-    starts[i + 1] = filamentLength(seeds, i, disk, component.dust, key);
-  }
+  parallelFor<std::size_t>(0, seeds.size(),
+    [&](std::size_t i) { starts[i + 1] = filamentLength(seeds, i, disk, component.dust, key); });
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   return starts;
 }
@@ -290,9 +288,7 @@ void placeFilaments(const Seeds& seeds, const ParticleStarts& starts, const Tilt
     placeFractalDust(seeds, starts, disk, component, key, lightFactor, writer);
     return;
   }
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
+  parallelFor<std::size_t>(0, seeds.size(), [&](std::size_t i) {
     RingFrame ring = disk.frame(seeds.radius[i]);
     const Step step(component.dust, ring.rotation);
     PlaneWalk plane(seeds, i, ring, step, component.dust, key);
@@ -312,6 +308,6 @@ void placeFilaments(const Seeds& seeds, const ParticleStarts& starts, const Tilt
       writer.write(particle, x * ring.a + y * ring.b + z * ring.n, light, &seeds.color[3 * i],
         writer.wantsVelocity() ? velocityOf(ring, plane, vertical) : Vec3{});
     }
-  }
+  });
 }
 } // namespace galaxy

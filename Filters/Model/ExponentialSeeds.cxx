@@ -1,6 +1,7 @@
 #include "Filters/Model/ExponentialSeeds.h"
 
 #include "Filters/Model/BlockSum.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SeedArrays.h"
 #include "Filters/Model/SurfaceDraws.h"
 #include "Readers/Formats/Error.h"
@@ -64,23 +65,18 @@ public:
   {
     const double light = this->atInner * this->lightPerFall();
     resizeSeeds(this->seeds, this->atInner > 0 ? range.size() : 0);
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < this->seeds.size(); ++i)
-    {
+    parallelFor<std::size_t>(0, this->seeds.size(), [&](std::size_t i) {
       const std::size_t j = range.first + i;
       const SurfaceDraws::Point point = this->draw(j);
       const double fall = this->fall(point.r);
       setSeed(
         this->seeds, i, point.r, point.theta, this->atInner * fall, this->shown.ratios.data(), j);
       this->seeds.light[i] = static_cast<float>(light * (this->byLight ? 1 : fall));
-    }
+    });
   }
 
 private:
-  double fall(double r) const
-  {
-    return std::exp(-(r - this->seeds.innerRadius) / this->h);
-  }
+  double fall(double r) const { return std::exp(-(r - this->seeds.innerRadius) / this->h); }
 
   SurfaceDraws::Point draw(std::size_t j) const
   {
@@ -110,11 +106,8 @@ private:
       return this->surface.area() / drawn;
     }
     Buffer<float> weights(this->seeds.drawn);
-#pragma omp parallel for schedule(static)
-    for (std::size_t j = 0; j < weights.size(); ++j)
-    {
-      weights[j] = static_cast<float>(this->fall(this->draw(j).r));
-    }
+    parallelFor<std::size_t>(0, weights.size(),
+      [&](std::size_t j) { weights[j] = static_cast<float>(this->fall(this->draw(j).r)); });
     return total / blockSum(weights, 0, weights.size());
   }
 

@@ -1,6 +1,7 @@
 #include "Filters/Model/ForegroundStars.h"
 
 #include "Filters/Model/Median.h"
+#include "Filters/Model/ParallelFor.h"
 
 #include <algorithm>
 #include <array>
@@ -203,14 +204,12 @@ std::vector<std::uint8_t> foregroundStars(
 {
   const StarFinder finder(width, height, contrast, values);
   std::vector<StarDisc> stars(values.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (int row = 0; row < height; ++row)
-  {
+  parallelForDynamic<int>(0, height, 8, [&](int row) {
     for (int column = 0; column < width; ++column)
     {
       stars[static_cast<std::size_t>(row) * width + column] = finder.starAt(column, row);
     }
-  }
+  });
   std::vector<std::uint8_t> mask(values.size(), 0);
   for (const auto& [column, row, radius] : stars)
   {

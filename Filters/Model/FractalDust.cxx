@@ -4,6 +4,7 @@
 #include "Filters/Model/BlockSum.h"
 #include "Filters/Model/FractalNoise.h"
 #include "Filters/Model/NormalSequence.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SineCosine.h"
 
 #include <cmath>
@@ -46,9 +47,7 @@ void placeFractalDust(const Seeds& seeds, const ParticleStarts& starts, const Ti
   const DustDescription& dust = component.dust;
   const FractalClouds clouds(dust, key);
   std::vector<double> lights(seeds.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
+  parallelFor<std::size_t>(0, seeds.size(), [&](std::size_t i) {
     const PlanePoint seed = { seeds.radius[i], sineCosine(seeds.azimuth[i]) };
     NormalSequence<8> normal(key, RandomStream::FractalPlace, seeds.index[i]);
     for (std::uint64_t child = starts[i]; child < starts[i + 1]; ++child)
@@ -70,7 +69,7 @@ void placeFractalDust(const Seeds& seeds, const ParticleStarts& starts, const Ti
         child, p, static_cast<float>(light), &seeds.color[3 * i], ringVelocity(ring, cosine, sine));
       lights[i] += light;
     }
-  }
+  });
   // The density's mean is 1 over all space, but far from it where a few clouds are looked at.
   const double sum = blockSum(lights, 0, lights.size());
   const double factor = sum > 0 ? lightFactor * blockSum(seeds.light, 0, seeds.size()) / sum : 0;

@@ -1,6 +1,7 @@
 #include "Filters/Model/LightMap.h"
 
 #include "Filters/Model/BlockSum.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -182,9 +183,7 @@ void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& cha
   {
     isCoarse.push_back(layer.image->pixelSide() > coarse * this->side);
   }
-#pragma omp parallel for schedule(dynamic, 4096)
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-  {
+  parallelForDynamic<std::size_t>(0, pixels, 4096, [&](std::size_t pixel) {
     const auto p = static_cast<std::uint32_t>(pixel);
     const PixelPosition at = this->pointIn(p, 0.5, 0.5);
     double total;
@@ -203,7 +202,7 @@ void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& cha
       this->fluxes[p] = static_cast<float>(flux);
       std::copy(shown.ratios.begin(), shown.ratios.end(), &this->colors[3 * pixel]);
     }
-  }
+  });
 }
 
 double LightMap::totalFlux() const

@@ -1,5 +1,6 @@
 #include "Filters/Model/NearestNeighbours.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/WorkProgress.h"
 
 #include <nanoflann.hpp>
@@ -71,24 +72,21 @@ void neighbourDistances(
   work.begin(treeShare, 1);
   const Tree tree(3, cloud, { 16 });
   work.begin(1 - treeShare, cloud.particles.size());
-#pragma omp parallel
-  {
+  constexpr std::size_t atOnce = 1024;
+  const std::size_t blocks = (cloud.particles.size() + atOnce - 1) / atOnce;
+  parallelForDynamic<std::size_t>(0, blocks, 1, [&](std::size_t block) {
     std::vector<std::size_t> nearest(others + 1); // the particle itself is the first
     std::vector<double> square(others + 1);
-#pragma omp for schedule(dynamic, 1024)
-    for (std::size_t i = 0; i < cloud.particles.size(); ++i)
+    const std::size_t last = std::min((block + 1) * atOnce, cloud.particles.size());
+    for (std::size_t i = block * atOnce; i < last && work.advance(1); ++i)
     {
-      if (!work.advance(1))
-      {
-        continue;
-      }
       const std::size_t particle = cloud.particles[i];
       Nearest found(others + 1);
       found.init(nearest.data(), square.data());
       tree.findNeighbors(found, position + 3 * particle, {});
       d[particle] = static_cast<float>(std::sqrt(square[others]) * std::cbrt(ball / others));
     }
-  }
+  });
   if (work.isAborted())
   {
     throw Aborted("particles", "", "their smoothing lengths were given up");

@@ -1,5 +1,7 @@
 #include "Filters/Model/Photometry.h"
 
+#include "Filters/Model/ParallelFor.h"
+
 #include <algorithm>
 
 namespace galaxy
@@ -52,9 +54,7 @@ double Photometry::light(std::uint32_t pixel, float weight) const
 void Photometry::shine(
   Particles& particles, std::size_t first, std::size_t last, double factor) const
 {
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = first; i < last; ++i)
-  {
+  parallelFor<std::size_t>(first, last, [&](std::size_t i) {
     const std::uint32_t pixel = this->pixelOf(particles, i);
     particles.intensity[i] =
       static_cast<float>(factor * this->light(pixel, particles.intensity[i]));
@@ -62,7 +62,7 @@ void Photometry::shine(
     {
       std::copy_n(this->map.color(pixel), 3, &particles.color[3 * i]);
     }
-  }
+  });
 }
 
 void Photometry::takeLight(
@@ -74,16 +74,14 @@ void Photometry::takeLight(
   const auto lightOn = [&](std::uint32_t pixel) {
     return static_cast<float>(std::min(each, photometry.light(pixel, 1)));
   };
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = first; i < last; ++i)
-  {
+  parallelFor<std::size_t>(first, last, [&](std::size_t i) {
     const std::uint32_t pixel = photometry.pixelOf(particles, i);
     particles.intensity[i] = lightOn(pixel);
     if (pixel != LightMap::nowhere)
     {
       std::copy_n(map.color(pixel), 3, &particles.color[3 * i]);
     }
-  }
+  });
   for (std::uint32_t pixel = 0; pixel < map.size(); ++pixel)
   {
     if (photometry.weight(pixel) > 0)

@@ -1,6 +1,7 @@
 #include "Filters/Model/PixelDraws.h"
 
 #include "Filters/Model/HilbertOrder.h"
+#include "Filters/Model/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,8 @@ namespace
 std::vector<char> pixelsOnDisk(const LightMap& map, const DiskInverse& inverse)
 {
   std::vector<char> onDisk(map.size());
-#pragma omp parallel for schedule(dynamic, 4096)
-  for (std::size_t k = 0; k < map.size(); ++k)
-  {
-    onDisk[k] = map.isLitOn(inverse, static_cast<std::uint32_t>(k));
-  }
+  parallelForDynamic<std::size_t>(0, map.size(), 4096,
+    [&](std::size_t k) { onDisk[k] = map.isLitOn(inverse, static_cast<std::uint32_t>(k)); });
   return onDisk;
 }
 } // namespace

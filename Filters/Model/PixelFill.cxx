@@ -1,5 +1,6 @@
 #include "Filters/Model/PixelFill.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SheetsInPixel.h"
 #include "Filters/Model/VerticalLaw.h"
 
@@ -96,9 +97,9 @@ void fillPixels(const std::vector<std::uint32_t>& pixels, const LightMap& map,
 {
   const Filler filler(map, disk, inverse, weight);
   const double agitation = writer.wantsVelocity() ? dispersion : 0;
-#pragma omp parallel for schedule(static)
-  for (std::size_t first = 0; first < pixels.size(); first += deviatesAtOnce)
-  {
+  const std::size_t batches = (pixels.size() + deviatesAtOnce - 1) / deviatesAtOnce;
+  parallelFor<std::size_t>(0, batches, [&](std::size_t batch) {
+    const std::size_t first = batch * deviatesAtOnce;
     const std::size_t last = std::min<std::size_t>(pixels.size(), first + deviatesAtOnce);
     std::array<Seen, deviatesAtOnce> seen;
     std::array<Vec3, deviatesAtOnce> motion;
@@ -124,6 +125,6 @@ void fillPixels(const std::vector<std::uint32_t>& pixels, const LightMap& map,
     {
       filler.fill(i, seen[i - first], heights[i - first], motion[i - first], writer);
     }
-  }
+  });
 }
 } // namespace galaxy

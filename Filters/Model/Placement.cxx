@@ -1,5 +1,6 @@
 #include "Filters/Model/Placement.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/ParticleWriter.h"
 #include "Readers/Formats/Error.h"
 
@@ -50,9 +51,7 @@ Placement placementOf(
 void placeParticles(const Placement& placement, Particles& particles)
 {
   const double S = placement.magnification;
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
+  parallelFor<std::size_t>(0, particles.size(), [&](std::size_t i) {
     store(&particles.position[3 * i], placement.apply(load(&particles.position[3 * i])));
     particles.smoothingLength[i] = static_cast<float>(S * particles.smoothingLength[i]);
     particles.intensity[i] = static_cast<float>(S * S * particles.intensity[i]);
@@ -60,7 +59,7 @@ void placeParticles(const Placement& placement, Particles& particles)
     {
       store(&particles.velocity[3 * i], placement.rotate(load(&particles.velocity[3 * i])));
     }
-  }
+  });
 }
 
 Particles mergeParticles(

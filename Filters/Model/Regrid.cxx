@@ -1,5 +1,6 @@
 #include "Filters/Model/Regrid.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Readers/Formats/PixelLattice.h"
 
 #include <algorithm>
@@ -109,15 +110,13 @@ std::vector<float> regrid(const CleanImage& image, const SkyGrid& grid)
 {
   const PixelLattice way = wayBetween(grid, image.grid);
   std::vector<float> values(static_cast<std::size_t>(grid.width) * grid.height);
-#pragma omp parallel for schedule(dynamic, 16)
-  for (int row = 0; row < grid.height; ++row)
-  {
+  parallelForDynamic<int>(0, grid.height, 16, [&](int row) {
     for (int column = 0; column < grid.width; ++column)
     {
       values[static_cast<std::size_t>(row) * grid.width + column] =
         static_cast<float>(pixelMean(image, way, column + 1, row + 1));
     }
-  }
+  });
   return values;
 }
 } // namespace galaxy

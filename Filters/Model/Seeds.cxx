@@ -1,6 +1,7 @@
 #include "Filters/Model/Seeds.h"
 
 #include "Filters/Model/ExponentialSeeds.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/PixelDraws.h"
 #include "Filters/Model/SeedArrays.h"
 #include "Filters/Model/SheetsInPixel.h"
@@ -65,9 +66,7 @@ public:
   void sample()
   {
     const std::size_t blocks = (this->seeds.size() + blockSize - 1) / blockSize;
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t block = 0; block < blocks; ++block)
-    {
+    parallelForDynamic<std::size_t>(0, blocks, 1, [&](std::size_t block) {
       const std::size_t first = this->range.first + block * blockSize;
       const std::size_t last = std::min(this->range.last, first + blockSize);
       std::size_t k = this->draws.pixelOfSeed(first);
@@ -80,7 +79,7 @@ public:
       {
         j = this->samplePixel(k, j, last, near);
       }
-    }
+    });
   }
 
 private:
@@ -112,10 +111,7 @@ private:
   }
 
   /// So far from the pixel's edge that single precision cannot carry a seed over it.
-  static double inset(double u)
-  {
-    return 0.002 + 0.996 * u;
-  }
+  static double inset(double u) { return 0.002 + 0.996 * u; }
 
   void place(std::size_t j, std::uint32_t pixel, double u, double v, std::size_t& near)
   {
@@ -154,9 +150,7 @@ std::vector<std::vector<LitDraw>> litDraws(const TiltedDisk& disk, const LightMa
   const SurfaceDraws& surface, const RandomKey& key, std::size_t count)
 {
   std::vector<std::vector<LitDraw>> blocks((count + blockSize - 1) / blockSize);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t block = 0; block < blocks.size(); ++block)
-  {
+  parallelForDynamic<std::size_t>(0, blocks.size(), 1, [&](std::size_t block) {
     const std::size_t last = std::min(count, (block + 1) * blockSize);
     for (std::size_t j = block * blockSize; j < last; ++j)
     {
@@ -169,7 +163,7 @@ std::vector<std::vector<LitDraw>> litDraws(const TiltedDisk& disk, const LightMa
         blocks[block].push_back({ point, static_cast<std::uint32_t>(j), pixel });
       }
     }
-  }
+  });
   return blocks;
 }
 
@@ -214,9 +208,7 @@ void sampleSurface(const TiltedDisk& disk, const ComponentDescription& component
     normalizes ? countByPixel(blocks, map.size()) : std::vector<std::uint32_t>();
   const std::vector<std::size_t> starts = startsOf(blocks, range);
   resizeSeeds(seeds, starts.back());
-#pragma omp parallel for schedule(static)
-  for (std::size_t block = 0; block < blocks.size(); ++block)
-  {
+  parallelFor<std::size_t>(0, blocks.size(), [&](std::size_t block) {
     std::size_t i = starts[block];
     for (const LitDraw& draw : blocks[block])
     {
@@ -230,7 +222,7 @@ void sampleSurface(const TiltedDisk& disk, const ComponentDescription& component
       }
     }
     blocks[block] = {};
-  }
+  });
 }
 
 } // namespace

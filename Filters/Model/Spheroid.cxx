@@ -1,6 +1,7 @@
 #include "Filters/Model/Spheroid.h"
 
 #include "Filters/Model/ClusterSystem.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SpheroidPlaces.h"
 
 #include <algorithm>
@@ -45,12 +46,10 @@ void writeAt(const Places& places, const RandomKey& key, std::size_t count, cons
   const ParticleWriter& writer)
 {
   const bool moves = writer.wantsVelocity() && common.dispersion > 0;
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < count; ++i)
-  {
+  parallelFor<std::size_t>(0, count, [&](std::size_t i) {
     const Vec3 velocity = moves ? randomVelocity(key, i, common.dispersion) : Vec3{};
     writer.write(i, places(i), common.light, common.color.data(), velocity);
-  }
+  });
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "Filters/Model/Thickness.h"
 
 #include "Filters/Model/ChildLattice.h"
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SineCosine.h"
 #include "Filters/Model/ThicknessProfile.h"
 #include "Filters/Model/VerticalLaw.h"
@@ -218,14 +219,12 @@ ParticleStarts countChildren(const Seeds& seeds, const TiltedDisk& disk,
   const double most = component.thickness.maximumChildren;
   ParticleStarts starts(seeds.size() + 1);
   starts[0] = 0;
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
+  parallelFor<std::size_t>(0, seeds.size(), [&](std::size_t i) {
     Random random(key, RandomStream::ChildCount, seeds.index[i]);
     const double mean = profile.meanChildren(seeds.radius[i], seeds.intensity[i]);
     const double rounded = std::floor(std::min(mean, most) + random.uniform());
     starts[i + 1] = static_cast<std::uint64_t>(std::clamp(rounded, 1.0, most));
-  }
+  });
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   return starts;
 }
@@ -236,15 +235,15 @@ void placeChildren(const Seeds& seeds, const ParticleStarts& starts, const Tilte
 {
   constexpr std::size_t seedsAtOnce = 1024;
   const ParentMaker parentOf(seeds, starts, disk, component, lightFactor);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t block = 0; block < seeds.size(); block += seedsAtOnce)
-  {
+  const std::size_t blocks = (seeds.size() + seedsAtOnce - 1) / seedsAtOnce;
+  parallelForDynamic<std::size_t>(0, blocks, 1, [&](std::size_t block) {
     ChildBatch batch(parentOf.law(), disk, component, key, writer);
-    for (std::size_t i = block; i < std::min(block + seedsAtOnce, seeds.size()); ++i)
+    const std::size_t last = std::min((block + 1) * seedsAtOnce, seeds.size());
+    for (std::size_t i = block * seedsAtOnce; i < last; ++i)
     {
       batch.add(parentOf, i);
     }
     batch.write();
-  }
+  });
 }
 } // namespace galaxy

@@ -1,3 +1,4 @@
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/WorkProgress.h"
 #include "Filters/Splatting/DepthOrder.h"
 #include "Filters/Splatting/Picture.h"
@@ -143,15 +144,13 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
   {
     this->renderInPieces(dealer, band, *tile, works, image);
   }
-#pragma omp parallel for schedule(dynamic, 1)
-  for (auto tile = small; tile < tiles.end(); ++tile)
-  {
+  parallelForDynamic(small, tiles.end(), 1, [&](auto tile) {
     if (!this->progress.isAborted() && dealer.splatsOf(*tile) > 0)
     {
       this->renderTile(dealer, band, *tile, *works[omp_get_thread_num()], image);
       this->progress.advance(dealer.splatsOf(*tile));
     }
-  }
+  });
   // Threads' times are shared out so that the stages add up to what the clock on the wall says.
   double seconds[2] = { 0, 0 };
   for (const auto& work : works)
@@ -275,12 +274,10 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
   works[0]->faint += pieces.omitted();
   works[0]->seconds[0] += (omp_get_wtime() - start) * double(works.size());
   std::vector<std::unique_ptr<TileLight>> lights(pieces.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < pieces.size(); ++k)
-  {
+  parallelForDynamic<int>(0, pieces.size(), 1, [&](int k) {
     if (this->progress.isAborted())
     {
-      continue;
+      return;
     }
     Workspace& work = *works[omp_get_thread_num()];
     const double before = omp_get_wtime();
@@ -298,7 +295,7 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
     this->draw(dealer, tile, task, work);
     lights[k].reset(new TileLight(work.sums.all));
     this->progress.advance(pieces.end(k) - pieces.begin(k));
-  }
+  });
   if (!this->progress.isAborted())
   {
     for (int k = 1; k < pieces.size(); ++k)

@@ -1,5 +1,6 @@
 #include "Filters/Splatting/FaceParticles.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Splatting/NearParticle.h"
 #include "Filters/Splatting/Projection.h"
 
@@ -78,9 +79,7 @@ const ParticleView& FaceParticles::seenBy(const Camera& camera)
   const ParticleView& from = this->original;
   ParticleArrays& to = this->arrays;
   const Projection projection(from, camera);
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < from.size; ++i)
-  {
+  parallelFor<std::size_t>(0, from.size, [&](std::size_t i) {
     const float* p = from.position + 3 * i;
     const Vec3 d = Vec3{ p[0], p[1], p[2] } - camera.eye;
     const Change change = this->changeOf(d, projection.radius(i), camera);
@@ -92,7 +91,7 @@ const ParticleView& FaceParticles::seenBy(const Camera& camera)
     scale(from.intensity, i, 1, change.light, to.intensity);
     scale(from.emission, i, from.emissionChannels, change.light, to.emission);
     scale(from.absorption, i, from.absorptionChannels, change.light, to.absorption);
-  }
+  });
   return this->changed;
 }
 } // namespace galaxy

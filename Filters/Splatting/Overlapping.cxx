@@ -1,3 +1,4 @@
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Splatting/FootprintShare.h"
 #include "Filters/Splatting/GaussianKernel.h"
 #include "Filters/Splatting/OpticalModel.h"
@@ -305,9 +306,7 @@ RenderedImage renderOverlapping(
   {
     const TileBand& band = dealer.deal(k);
     counts += band.counts;
-#pragma omp parallel for schedule(dynamic, 1)
-    for (int tile = band.firstTile; tile < band.lastTile; ++tile)
-    {
+    parallelForDynamic<int>(band.firstTile, band.lastTile, 1, [&](int tile) {
       const std::size_t first = band.first[tile - band.firstTile];
       const std::size_t count = band.first[tile - band.firstTile + 1] - first;
       if (count > 0 && !progress.isAborted())
@@ -318,7 +317,7 @@ RenderedImage renderOverlapping(
         coarse += slicer.isCoarse();
         progress.advance(count);
       }
-    }
+    });
   }
   finishPicture(counts, { 1, 0, 0 }, progress.isAborted(), image);
   image.statistics.coarse = coarse;

@@ -1,5 +1,6 @@
 #include "Filters/Splatting/Panorama.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Splatting/FaceParticles.h"
 #include "Filters/Splatting/SkyFace.h"
 
@@ -130,9 +131,7 @@ void addFace(const Panorama& panorama, const Samples& samples, const SkyFace& fa
   const RenderedImage& picture, RenderedImage& to)
 {
   const double cosine = std::cos(std::min(SkyFace::farthest() + panorama.largestPixel(), M_PI));
-#pragma omp parallel for schedule(dynamic, 8)
-  for (int row = 0; row < to.height; ++row)
-  {
+  parallelForDynamic<int>(0, to.height, 8, [&](int row) {
     for (int column = 0; column < to.width; ++column)
     {
       Vec3 one;
@@ -142,7 +141,7 @@ void addFace(const Panorama& panorama, const Samples& samples, const SkyFace& fa
         addFace(samples, face, picture, column, row, to);
       }
     }
-  }
+  });
 }
 
 /// The light from outside of the dome, which nothing hides.

@@ -1,5 +1,7 @@
 #include "Filters/Splatting/TilePieces.h"
 
+#include "Filters/Model/ParallelFor.h"
+
 #include <algorithm>
 #include <array>
 
@@ -87,12 +89,10 @@ TilePieces::TilePieces(const TileTask& task, const Omission& omission, bool isOr
   const Chunk chunk(task, omission, isOrdered, borders);
   const std::size_t chunks = chunk.chunks();
   std::vector<std::array<std::size_t, mostPieces>> places(chunks);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t c = 0; c < chunks; ++c)
-  {
+  parallelForDynamic<std::size_t>(0, chunks, 1, [&](std::size_t c) {
     places[c].fill(0);
     chunk.forEach(c, [&](int piece, std::size_t) { ++places[c][piece]; });
-  }
+  });
   std::size_t sum = 0;
   for (std::size_t piece = 0; piece < pieces; ++piece)
   {
@@ -107,13 +107,11 @@ TilePieces::TilePieces(const TileTask& task, const Omission& omission, bool isOr
   this->first.push_back(sum);
   this->left = task.count - sum;
   this->slots.resize(sum);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t c = 0; c < chunks; ++c)
-  {
+  parallelForDynamic<std::size_t>(0, chunks, 1, [&](std::size_t c) {
     chunk.forEach(c, [&](int piece, std::size_t slot) {
       this->slots[places[c][piece]++] =
         keyedSlot(task.splats[slot].depth, static_cast<std::uint32_t>(slot));
     });
-  }
+  });
 }
 } // namespace galaxy

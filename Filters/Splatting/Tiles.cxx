@@ -1,5 +1,6 @@
 #include "Filters/Splatting/Tiles.h"
 
+#include "Filters/Model/ParallelFor.h"
 #include "Filters/Splatting/SplatBlock.h"
 #include "Readers/Formats/Error.h"
 
@@ -252,12 +253,10 @@ TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, Ren
   const std::size_t parts = this->counts.size();
   std::vector<ParticleCounts> absences(parts);
   std::vector<std::vector<DepthRange>> ranges(parts, std::vector<DepthRange>(this->tiles.size()));
-#pragma omp parallel for schedule(static, 1)
-  for (std::size_t part = 0; part < parts; ++part)
-  {
+  parallelFor<std::size_t>(0, parts, [&](std::size_t part) {
     const std::unique_ptr<Share> share(new Share(*this, part, parts));
     share->count(this->memory.home, this->counts[part], ranges[part], absences[part]);
-  }
+  });
   if (this->progress.isAborted())
   {
     this->starts = { 0 };
@@ -334,16 +333,14 @@ const TileBand& TileDealer::deal(int k) const
   }
   const double share = double(sum) / double(std::max<std::size_t>(1, this->sum));
   this->progress.begin(dealingShare * share, this->projection.size());
-#pragma omp parallel for schedule(static, 1)
-  for (std::size_t part = 0; part < parts; ++part)
-  {
+  parallelFor<std::size_t>(0, parts, [&](std::size_t part) {
     ParticleCounts counted;
     SplatWriter writer(band.splats, places[part]);
     const std::unique_ptr<Share> share(new Share(*this, part, parts));
     share->deal(writer, { firstTile, lastTile, this->tiles.columns }, counted);
 #pragma omp critical
     band.counts += counted;
-  }
+  });
   this->progress.begin((1 - countingShare - dealingShare) * share, sum);
   return band;
 }
