@@ -24,9 +24,9 @@ void toFieldData(const std::vector<GroupPlace>& places, double separation, vtkFi
   for (const GroupPlace& place : places)
   {
     const Vec3& centre = place.placement.centre;
-    names->InsertNextValue(place.name);
+    names->InsertNextValue(place.galaxy.name);
     positions->InsertNextTuple3(centre.x, centre.y, centre.z);
-    distances->InsertNextValue(place.distance);
+    distances->InsertNextValue(1000 * place.galaxy.distance);
     magnifications->InsertNextValue(place.placement.magnification);
   }
   separations->InsertNextValue(separation);

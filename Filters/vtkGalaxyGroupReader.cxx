@@ -32,21 +32,20 @@ int vtkGalaxyGroupReader::RequestData(
     options.seed = galaxy::seedOf(this->RandomSeed);
     options.progress = galaxy::progressOf(this);
     const std::vector<galaxy::GroupPlace> places = galaxy::placesOf(group);
-    galaxy::Particles particles = galaxy::buildGroup(group, options);
+    galaxy::Particles particles = galaxy::buildGroup(group, places, options);
     vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
     if (particles.size() > 0)
     {
-      const double distance = places.front().distance;
+      const double distance = 1000 * places.front().galaxy.distance;
       galaxy::toFieldData(
         distance, galaxy::halfSizeOf(particles, distance), output->GetFieldData());
     }
     galaxy::toPolyData(std::move(particles), output);
     galaxy::toFieldData(places, group.separation, output->GetFieldData());
     // The frame is the first member's; with other distances between them the sky is not theirs.
-    if (group.separation == 1 && !group.members.empty())
+    if (group.separation == 1 && !places.empty())
     {
-      const std::string first = galaxy::besideFile(group.file, group.members.front().galaxy);
-      galaxy::setSkyPlace(galaxy::readGalaxyDescription(first), output);
+      galaxy::setSkyPlace(places.front().galaxy, output);
     }
   });
 }

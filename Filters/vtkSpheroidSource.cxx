@@ -56,13 +56,14 @@ bool isGiven(const char* file)
 std::vector<galaxy::StarCluster> listedClusters(vtkSpheroidSource& source)
 {
   const std::string file = source.GetClusterList();
-  if (!galaxy::NumberTable(file).has("x"))
+  const std::string text = galaxy::readText(file);
+  if (!galaxy::NumberTable(text, file).has("x"))
   {
     throw galaxy::Error(file, "x", "the columns must be x, y and z, for no sky is known here");
   }
   galaxy::requireProperty(
     source.GetLuminosity() > 0, "Luminosity", "greater than 0 with a ClusterList");
-  return galaxy::readClusterList(file, {}, 1);
+  return galaxy::parseClusterList(text, file, {}, 1);
 }
 
 void describeShape(vtkSpheroidSource& source, galaxy::SpheroidDescription& spheroid)
@@ -105,7 +106,8 @@ galaxy::SpheroidDescription describe(vtkSpheroidSource& source)
   }
   if (isGiven(source.GetShells()))
   {
-    spheroid.ellipsoids = galaxy::readEllipsoidShells(source.GetShells());
+    const std::string file = source.GetShells();
+    spheroid.ellipsoids = galaxy::parseEllipsoidShells(galaxy::readText(file), file);
   }
   return spheroid;
 }

@@ -80,6 +80,35 @@ int fieldInteger(vtkDataObject* object, const char* name, int fallback)
   return array && array->GetNumberOfTuples() > 0 ? static_cast<int>(array->GetTuple1(0)) : fallback;
 }
 
+/// A description with all that it was read from, so that no file is looked at again.
+void setDescription(vtkDataObject* object, const GalaxyDescription& description)
+{
+  setFieldString(object, "GalaxyFile", description.file);
+  setFieldString(object, "GalaxyDescription", description.text);
+  vtkNew<vtkStringArray> tables;
+  tables->SetName("GalaxyTables");
+  tables->SetNumberOfComponents(2);
+  for (const auto& [path, text] : description.tables)
+  {
+    tables->InsertNextValue(path);
+    tables->InsertNextValue(text);
+  }
+  object->GetFieldData()->AddArray(tables);
+}
+
+GalaxyDescription descriptionOf(vtkDataObject* object, const std::string& what)
+{
+  NamedTexts texts;
+  auto tables =
+    vtkStringArray::SafeDownCast(object->GetFieldData()->GetAbstractArray("GalaxyTables"));
+  for (vtkIdType i = 0; tables && i + 1 < tables->GetNumberOfValues(); i += 2)
+  {
+    texts[tables->GetValue(i)] = tables->GetValue(i + 1);
+  }
+  const std::string file = fieldString(object, "GalaxyFile", what);
+  return parseGalaxyDescription(fieldString(object, "GalaxyDescription", file), file, texts);
+}
+
 std::string blockName(vtkPartitionedDataSetCollection* collection, unsigned int index)
 {
   const char* name = collection->HasMetaData(index)
@@ -253,8 +282,7 @@ RingTable toRingTable(vtkPolyData* input, double unit)
 
 void toFieldData(const Galaxy& galaxy, vtkDataObject* object)
 {
-  setFieldString(object, "GalaxyFile", galaxy.description.file);
-  setFieldString(object, "GalaxyDescription", galaxy.description.text);
+  setDescription(object, galaxy.description);
   setFieldString(object, "RingFile", galaxy.rings.file);
   setFieldInteger(object, "RingCode", static_cast<int>(galaxy.rings.code));
   setFieldInteger(object, "LayerLaw", static_cast<int>(galaxy.rings.layerLaw));
@@ -274,8 +302,8 @@ void toFieldData(const Galaxy& galaxy, vtkDataObject* object)
 Galaxy galaxyOfFieldData(vtkDataObject* object)
 {
   Galaxy galaxy;
-  const std::string file = fieldString(object, "GalaxyFile", "seeds");
-  galaxy.description = parseGalaxyDescription(fieldString(object, "GalaxyDescription", file), file);
+  galaxy.description = descriptionOf(object, "seeds");
+  const std::string& file = galaxy.description.file;
   galaxy.description.images.clear();
   galaxy.rings.file = fieldString(object, "RingFile", file);
   galaxy.rings.code = static_cast<RingCode>(fieldInteger(object, "RingCode", 0));
@@ -302,8 +330,7 @@ Galaxy galaxyOfFieldData(vtkDataObject* object)
 void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
 {
   const GalaxyDescription& description = galaxy.description;
-  setFieldString(output, "GalaxyFile", description.file);
-  setFieldString(output, "GalaxyDescription", description.text);
+  setDescription(output, description);
 
   const auto addBlock = [output](vtkDataObject* block, const std::string& name) {
     const unsigned int index = output->GetNumberOfPartitionedDataSets();
@@ -331,8 +358,8 @@ void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
 Galaxy toGalaxy(vtkPartitionedDataSetCollection* input)
 {
   Galaxy galaxy;
-  const std::string file = fieldString(input, "GalaxyFile", "galaxy");
-  galaxy.description = parseGalaxyDescription(fieldString(input, "GalaxyDescription", file), file);
+  galaxy.description = descriptionOf(input, "galaxy");
+  const std::string& file = galaxy.description.file;
 
   const auto block = [&](const std::string& name) -> vtkDataObject* {
     for (unsigned int i = 0; i < input->GetNumberOfPartitionedDataSets(); ++i)

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace galaxy
 {
@@ -30,8 +32,8 @@ void requireUsable(const GroupDescription& group)
   }
 }
 
-void place(const Placement& placement, const GroupDescription& group, const GroupMember& member,
-  Particles& particles)
+void placeMember(const Placement& placement, const GroupDescription& group,
+  const GroupMember& member, Particles& particles)
 {
   placeParticles(placement, particles);
   const std::size_t all = particles.size();
@@ -47,16 +49,16 @@ std::vector<GroupPlace> placesOf(const GroupDescription& group)
   std::optional<SkyFrame> origin;
   for (const GroupMember& member : group.members)
   {
-    const GalaxyDescription galaxy = readGalaxyDescription(besideFile(group.file, member.galaxy));
+    GalaxyDescription galaxy = readGalaxyDescription(besideFile(group.file, member.galaxy));
     const SkyFrame frame(galaxy.centre, galaxy.distance);
     origin = origin ? origin : frame;
-    const auto isSame = [&](const GroupPlace& other) { return other.name == galaxy.name; };
+    const auto isSame = [&](const GroupPlace& other) { return other.galaxy.name == galaxy.name; };
     if (std::any_of(places.begin(), places.end(), isSame))
     {
       throw Error(group.file, member.galaxy,
         "a second member is called " + galaxy.name + "; give each its own `name`");
     }
-    places.push_back({ galaxy.name, 1000 * galaxy.distance,
+    places.push_back({ std::move(galaxy),
       placementOf(frame, *origin, group.magnification * member.magnification, group.separation) });
   }
   return places;
@@ -64,21 +66,25 @@ std::vector<GroupPlace> placesOf(const GroupDescription& group)
 
 Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
 {
-  const std::vector<GroupPlace> places = placesOf(group);
+  return buildGroup(group, placesOf(group), options);
+}
+
+Particles buildGroup(
+  const GroupDescription& group, const std::vector<GroupPlace>& places, const BuildOptions& options)
+{
   std::vector<Particles> parts;
   std::vector<std::string> names;
-  const double count = static_cast<double>(group.members.size());
-  for (const GroupMember& member : group.members)
+  const double count = static_cast<double>(places.size());
+  for (const GroupPlace& place : places)
   {
     const double done = static_cast<double>(parts.size());
     BuildOptions memberOptions = options;
     memberOptions.seed = options.seed + parts.size();
     const Progress reading = partOf(options.progress, done / count, (done + 0.3) / count);
     memberOptions.progress = partOf(options.progress, (done + 0.3) / count, (done + 1) / count);
-    const Galaxy galaxy = readGalaxy(besideFile(group.file, member.galaxy), reading);
-    parts.push_back(buildGalaxy(galaxy, memberOptions));
-    names.push_back(galaxy.description.name);
-    place(places[names.size() - 1].placement, group, member, parts.back());
+    parts.push_back(buildGalaxy(readGalaxy(place.galaxy, reading), memberOptions));
+    names.push_back(place.galaxy.name);
+    placeMember(place.placement, group, group.members[names.size() - 1], parts.back());
   }
   return mergeParticles(parts, names);
 }

@@ -3,12 +3,20 @@
 #include "Readers/Formats/BadPixels.h"
 #include "Readers/Formats/Brightness.h"
 
+#include <utility>
+
 namespace galaxy
 {
 Galaxy readGalaxy(const std::string& file, const Progress& progress)
 {
+  return readGalaxy(readGalaxyDescription(file), progress);
+}
+
+Galaxy readGalaxy(GalaxyDescription description, const Progress& progress)
+{
   Galaxy galaxy;
-  galaxy.description = readGalaxyDescription(file);
+  galaxy.description = std::move(description);
+  const std::string& file = galaxy.description.file;
   galaxy.rings = readRings(galaxy.description);
   const double count = static_cast<double>(galaxy.description.images.size());
   for (const ImageDescription& image : galaxy.description.images)

@@ -24,6 +24,8 @@ struct Galaxy
 /// Reads a .galaxy file with its rings and images. Throws Error naming the file at fault, Aborted
 /// where `progress` ends it.
 Galaxy readGalaxy(const std::string& file, const Progress& progress = {});
+/// The same where its description has been read already.
+Galaxy readGalaxy(GalaxyDescription description, const Progress& progress = {});
 } // namespace galaxy
 
 #endif

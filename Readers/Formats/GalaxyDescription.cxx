@@ -5,9 +5,11 @@
 #include "Readers/Formats/GalaxyKeys.h"
 #include "Readers/Formats/RingPlane.h"
 #include "Readers/Formats/SpheroidTables.h"
+#include "Readers/Formats/WidthTable.h"
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 namespace galaxy
@@ -59,6 +61,53 @@ void checkLightSources(const toml::table& root, const GalaxyDescription& galaxy)
     }
   }
 }
+/// Gives the text of a table by its path as the description has it.
+using TextOf = std::function<std::string(const std::string& path)>;
+
+/// The tables that the description names, each read once.
+void readTables(GalaxyDescription& galaxy, const TextOf& textOf)
+{
+  const auto tableOf = [&](const std::string& path) -> const std::string& {
+    const auto known = galaxy.tables.find(path);
+    return known != galaxy.tables.end() ? known->second : galaxy.tables[path] = textOf(path);
+  };
+  for (ComponentDescription& component : galaxy.components)
+  {
+    const std::string& widths = component.thickness.profileFile;
+    if (!widths.empty())
+    {
+      component.thickness.profileTable =
+        parseWidthTable(tableOf(widths), besideFile(galaxy.file, widths));
+    }
+    SpheroidDescription& spheroid = component.spheroid;
+    if (!spheroid.clusterList.empty())
+    {
+      spheroid.listed = parseClusterList(tableOf(spheroid.clusterList),
+        besideFile(galaxy.file, spheroid.clusterList), galaxy.centre, galaxy.distance);
+    }
+    if (!spheroid.shells.empty())
+    {
+      spheroid.ellipsoids =
+        parseEllipsoidShells(tableOf(spheroid.shells), besideFile(galaxy.file, spheroid.shells));
+    }
+  }
+}
+
+GalaxyDescription parse(const std::string& text, const std::string& file, const TextOf& textOf)
+{
+  const toml::table root = parseToml(text, file);
+  GalaxyDescription galaxy;
+  galaxy.file = file;
+  galaxy.text = text;
+  galaxy.name = std::filesystem::path(file).stem().string();
+  readTable(file, "", root, fileKeys(), galaxy);
+  checkLayers(root, galaxy);
+  checkAbsorption(root, galaxy);
+  checkLightSources(root, galaxy);
+  noteRotation(root, galaxy);
+  readTables(galaxy, textOf);
+  return galaxy;
+}
 } // namespace
 
 toml::table parseToml(const std::string& text, const std::string& file)
@@ -76,18 +125,22 @@ toml::table parseToml(const std::string& text, const std::string& file)
 
 GalaxyDescription parseGalaxyDescription(const std::string& text, const std::string& file)
 {
-  const toml::table root = parseToml(text, file);
-  GalaxyDescription galaxy;
-  galaxy.file = file;
-  galaxy.text = text;
-  galaxy.name = std::filesystem::path(file).stem().string();
-  readTable(file, "", root, fileKeys(), galaxy);
-  checkLayers(root, galaxy);
-  checkAbsorption(root, galaxy);
-  checkLightSources(root, galaxy);
-  readSpheroidTables(galaxy);
-  noteRotation(root, galaxy);
-  return galaxy;
+  return parse(
+    text, file, [&](const std::string& path) { return readText(besideFile(file, path)); });
+}
+
+GalaxyDescription parseGalaxyDescription(
+  const std::string& text, const std::string& file, const NamedTexts& tables)
+{
+  return parse(text, file, [&](const std::string& path) {
+    const auto table = tables.find(path);
+    if (table == tables.end())
+    {
+      throw Error(
+        file, path, "the table did not come with the galaxy; connect GalaxyReader itself");
+    }
+    return table->second;
+  });
 }
 
 GalaxyDescription readGalaxyDescription(const std::string& file)

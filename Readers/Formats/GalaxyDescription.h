@@ -8,6 +8,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -194,6 +195,7 @@ struct ThicknessDescription
   VelocityScaling velocityScaling = VelocityScaling::Maximum;
   /// Widths by increasing radius, in place of all the formula of Flared; empty: none
   std::vector<WidthAtRadius> profileTable;
+  std::string profileFile;            ///< that holds them, relative; empty: none
   double gasDispersion = 8;           ///< sigma_g, km/s (Hydrostatic)
   double stellarSurfaceDensity = 500; ///< Sigma_0, Msun/pc^2 at R = 0 (Hydrostatic)
   double gasSurfaceDensity = 10;      ///< Sigma_g, Msun/pc^2 (Hydrostatic)
@@ -295,11 +297,15 @@ inline bool usesImages(const ComponentDescription& component)
   return component.type == ComponentType::Disk && component.profile == DiskProfile::Images;
 }
 
+/// The texts of files, by their paths as the file that names them has them.
+using NamedTexts = std::map<std::string, std::string>;
+
 /// A whole .galaxy file.
 struct GalaxyDescription
 {
   std::string file;
-  std::string text; ///< what it was parsed from
+  std::string text;  ///< what it was parsed from
+  NamedTexts tables; ///< what its tables of widths, clusters and shells were read from
   std::string name;
   SkyPosition centre;
   double distance = 0;     ///< Mpc
@@ -340,6 +346,9 @@ struct GroupDescription
 GalaxyDescription readGalaxyDescription(const std::string& file);
 /// The same from text already in memory; `file` names it in messages and anchors relative paths.
 GalaxyDescription parseGalaxyDescription(const std::string& text, const std::string& file);
+/// The same with its tables in memory too, as GalaxyDescription has them: no file is looked at.
+GalaxyDescription parseGalaxyDescription(
+  const std::string& text, const std::string& file, const NamedTexts& tables);
 GroupDescription readGroupDescription(const std::string& file);
 GroupDescription parseGroupDescription(const std::string& text, const std::string& file);
 

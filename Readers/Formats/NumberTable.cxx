@@ -9,10 +9,10 @@
 
 namespace galaxy
 {
-NumberTable::NumberTable(const std::string& file)
+NumberTable::NumberTable(const std::string& text, const std::string& file)
   : file(file)
 {
-  for (const TextLine& line : splitLines(readText(file)))
+  for (const TextLine& line : splitLines(text))
   {
     const std::vector<std::string> cells =
       splitRow(trimmed(line.text.substr(0, line.text.find('#'))));

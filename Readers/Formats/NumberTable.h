@@ -13,9 +13,9 @@ namespace galaxy
 class NumberTable
 {
 public:
-  /// Throws Error naming the line where a row has not the heading's number of columns, or where
-  /// there is no row.
-  explicit NumberTable(const std::string& file);
+  /// From text; `file` only names it in messages. Throws Error naming the line where a row has not
+  /// the heading's number of columns, or where there is no row.
+  NumberTable(const std::string& text, const std::string& file);
 
   std::size_t size() const { return this->rows.size(); }
   bool has(const std::string& column) const;

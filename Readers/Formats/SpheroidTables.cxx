@@ -35,10 +35,10 @@ double unwrapped(double angle, double before, double period)
 }
 } // namespace
 
-std::vector<StarCluster> readClusterList(
-  const std::string& file, const SkyPosition& centre, double distance)
+std::vector<StarCluster> parseClusterList(
+  const std::string& text, const std::string& file, const SkyPosition& centre, double distance)
 {
-  const NumberTable table(file);
+  const NumberTable table(text, file);
   const SkyFrame sky(centre, distance);
   const bool cartesian = table.has("x") || table.has("y") || table.has("z");
   std::vector<StarCluster> clusters(table.size());
@@ -59,10 +59,10 @@ std::vector<StarCluster> readClusterList(
   return clusters;
 }
 
-std::vector<EllipsoidShell> readEllipsoidShells(const std::string& file)
+std::vector<EllipsoidShell> parseEllipsoidShells(const std::string& text, const std::string& file)
 {
   constexpr Range ratio = { 0, 1, true };
-  const NumberTable table(file);
+  const NumberTable table(text, file);
   std::vector<EllipsoidShell> shells(table.size());
   for (std::size_t row = 0; row < table.size(); ++row)
   {
@@ -86,22 +86,5 @@ std::vector<EllipsoidShell> readEllipsoidShells(const std::string& file)
     shells[k].inclination = unwrapped(shells[k].inclination, shells[k - 1].inclination, 360);
   }
   return shells;
-}
-
-void readSpheroidTables(GalaxyDescription& galaxy)
-{
-  for (ComponentDescription& component : galaxy.components)
-  {
-    SpheroidDescription& spheroid = component.spheroid;
-    if (!spheroid.clusterList.empty())
-    {
-      spheroid.listed = readClusterList(
-        besideFile(galaxy.file, spheroid.clusterList), galaxy.centre, galaxy.distance);
-    }
-    if (!spheroid.shells.empty())
-    {
-      spheroid.ellipsoids = readEllipsoidShells(besideFile(galaxy.file, spheroid.shells));
-    }
-  }
 }
 } // namespace galaxy

@@ -9,22 +9,19 @@
 
 namespace galaxy
 {
-/// Star clusters from a file with a heading: columns x, y, z (kpc, in the galaxy's frame), or ra,
-/// dec (ICRS degrees) and optionally distance (Mpc; without it in the plane Z = 0), and optionally
-/// luminosity (of any unit) and radius (kpc). Other columns are not looked at.
+/// Star clusters from the text of a file with a heading: columns x, y, z (kpc, in the galaxy's
+/// frame), or ra, dec (ICRS degrees) and optionally distance (Mpc; without it in the plane Z = 0),
+/// and optionally luminosity (of any unit) and radius (kpc). Other columns are not looked at.
 /// Throws Error naming file and line.
-std::vector<StarCluster> readClusterList(
-  const std::string& file, const SkyPosition& centre, double distance);
+std::vector<StarCluster> parseClusterList(
+  const std::string& text, const std::string& file, const SkyPosition& centre, double distance);
 
-/// Nested ellipsoids from a file with a heading: columns semi_major (kpc, increasing),
+/// Nested ellipsoids from the text of a file with a heading: columns semi_major (kpc, increasing),
 /// axis_ratio_b, axis_ratio_c, position_angle (degrees) and optionally inclination (degrees). From
 /// row to row the angles are unwrapped the shorter way: the position angle within 90 degrees, or
 /// within 180 where ellipsoids are inclined, for then turning one half round tilts it the other
 /// way. Throws Error naming file and line.
-std::vector<EllipsoidShell> readEllipsoidShells(const std::string& file);
-
-/// Reads the files that the galaxy's spheroids name.
-void readSpheroidTables(GalaxyDescription& galaxy);
+std::vector<EllipsoidShell> parseEllipsoidShells(const std::string& text, const std::string& file);
 } // namespace galaxy
 
 #endif

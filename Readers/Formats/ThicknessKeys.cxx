@@ -1,6 +1,5 @@
 #include "Readers/Formats/GalaxyKeys.h"
 #include "Readers/Formats/NumberRows.h"
-#include "Readers/Formats/WidthTable.h"
 
 #include <climits>
 
@@ -45,7 +44,7 @@ const NumberRow<T> numbers[] = {
 
 void readProfile(const KeyValue& value, T& out)
 {
-  out.profileTable = readWidthTable(besideFile(value.file, value.text()));
+  out.profileFile = value.text();
 }
 
 Keys<T> makeKeys()
@@ -95,7 +94,7 @@ void readThickness(const KeyValue& value, T& out)
 {
   const toml::table& table = value.table();
   readTable(value.file, "[component.thickness]", table, thicknessKeys(), out);
-  if (!out.profileTable.empty() && out.model != ThicknessModel::Flared)
+  if (!out.profileFile.empty() && out.model != ThicknessModel::Flared)
   {
     KeyValue(value.file, "profile_table", *table.get("profile_table")).needs("model = \"Flared\"");
   }

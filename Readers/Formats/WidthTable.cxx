@@ -20,9 +20,14 @@ bool hasNumber(const std::vector<std::string>& cells)
 
 std::vector<WidthAtRadius> readWidthTable(const std::string& file)
 {
+  return parseWidthTable(readText(file), file);
+}
+
+std::vector<WidthAtRadius> parseWidthTable(const std::string& text, const std::string& file)
+{
   std::vector<WidthAtRadius> rows;
   bool mayBeHeading = true;
-  for (const TextLine& line : splitLines(readText(file)))
+  for (const TextLine& line : splitLines(text))
   {
     const std::vector<std::string> cells = splitCells(line.text.substr(0, line.text.find('#')));
     if (cells.empty())

@@ -12,6 +12,8 @@ namespace galaxy
 /// or commas, under one line of heading or none; what follows a # is left out. Throws Error naming
 /// the line where a number is missing or negative or a radius does not increase.
 std::vector<WidthAtRadius> readWidthTable(const std::string& file);
+/// The same from text already in memory; `file` only names it in messages.
+std::vector<WidthAtRadius> parseWidthTable(const std::string& text, const std::string& file);
 } // namespace galaxy
 
 #endif

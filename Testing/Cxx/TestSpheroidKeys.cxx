@@ -49,14 +49,12 @@ constexpr SkyPosition centre = { 204.2504, -29.8678 };
 
 std::vector<StarCluster> clustersOf(const std::string& text)
 {
-  const TextFile file(text);
-  return readClusterList(file.path, centre, 4.9);
+  return parseClusterList(text, "clusters.txt", centre, 4.9);
 }
 
 std::vector<EllipsoidShell> shellsOf(const std::string& text)
 {
-  const TextFile file(text);
-  return readEllipsoidShells(file.path);
+  return parseEllipsoidShells(text, "shells.txt");
 }
 } // namespace
 
@@ -247,6 +245,23 @@ TEST(SpheroidKeys, ListsStandBesideTheDescription)
   EXPECT_NE(messageOfKeys("shells = \"absent.csv\"\n").find("absent.csv"), std::string::npos);
 }
 
+TEST(SpheroidKeys, TablesTravelWithTheDescription)
+{
+  TextFile file("x,y,z\n1,2,3\n");
+  const std::filesystem::path path(file.path);
+  const std::string text =
+    head + "luminosity = 3\ncluster_list = \"" + path.filename().string() + "\"\n";
+  const std::string galaxy = (path.parent_path() / "some.galaxy").string();
+  const GalaxyDescription read = parseGalaxyDescription(text, galaxy);
+  std::filesystem::remove(path);
+  const GalaxyDescription again = parseGalaxyDescription(read.text, galaxy, read.tables);
+  ASSERT_EQ(again.components[1].spheroid.listed.size(), 1u);
+  EXPECT_EQ(again.components[1].spheroid.listed[0].position.z, 3);
+  const std::string message =
+    errorOf([&] { parseGalaxyDescription(read.text, galaxy, NamedTexts{}); });
+  EXPECT_NE(message.find(path.filename().string()), std::string::npos) << message;
+}
+
 TEST(SpheroidKeys, ClusterListInTheGalaxysFrame)
 {
   const std::vector<StarCluster> clusters =
@@ -298,7 +313,7 @@ TEST(SpheroidKeys, ErrorsOfListsNameTheLine)
   {
     const std::string message = errorOf([&text = text] { clustersOf(text); });
     EXPECT_NE(message.find(expected), std::string::npos) << text << " gave: " << message;
-    EXPECT_NE(message.find("ErrorsOfListsNameTheLine"), std::string::npos) << "the file";
+    EXPECT_NE(message.find("clusters.txt"), std::string::npos) << "the file";
   }
 }
 

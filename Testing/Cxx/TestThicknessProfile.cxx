@@ -231,12 +231,14 @@ TEST(ThicknessProfile, UnusableWidthsAreRefusedWithTheirLine)
   for (const auto& [name, text, cause] : cases)
   {
     written(name, text);
-    const std::string message =
-      errorOf([name = name] { thicknessOf("profile_table = \"" + std::string(name) + "\""); });
+    const std::string message = errorOf([name = name] {
+      thicknessOf("model = \"Flared\"\nprofile_table = \"" + std::string(name) + "\"");
+    });
     EXPECT_NE(message.find(name), std::string::npos) << message;
     EXPECT_NE(message.find(cause), std::string::npos) << message;
   }
-  const std::string message = errorOf([] { thicknessOf("profile_table = \"none.txt\""); });
+  const std::string message =
+    errorOf([] { thicknessOf("model = \"Flared\"\nprofile_table = \"none.txt\""); });
   EXPECT_NE(message.find("none.txt"), std::string::npos) << message;
 }
 

@@ -1,7 +1,9 @@
 """What the plugin's tests share."""
+import contextlib
 import os
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -19,6 +21,24 @@ SKIP = 77
 
 def load_plugin():
     simple.LoadPlugin(os.environ["GALAXY_PLUGIN"], ns=vars(simple))
+
+
+@contextlib.contextmanager
+def server():
+    """A server of one process with the plugin, to which this client is connected meanwhile."""
+    process = subprocess.Popen(["pvserver", "--server-port=0"], stdout=subprocess.PIPE, text=True)
+    try:
+        line = ""
+        while "Accepting" not in line and process.poll() is None:
+            line = process.stdout.readline()
+        simple.Connect("localhost", int(re.search(r":(\d+)", line).group(1)))
+        simple.LoadPlugin(os.environ["GALAXY_PLUGIN"], remote=True, ns=vars(simple))
+        yield
+        simple.Disconnect()
+    finally:
+        process.kill()
+        process.wait()
+        process.stdout.close()
 
 
 def output_folder():

@@ -1,7 +1,5 @@
 """The cameras that a model gives with its particles, as a script sets them, and on a server."""
 import os
-import re
-import subprocess
 import tempfile
 import unittest
 
@@ -147,22 +145,11 @@ class FromEarthAsAnImage(unittest.TestCase):
 class ViewpointsOnAServer(unittest.TestCase):
     def test_cameras_reach_the_client(self):
         known = [gp.field_values(build(), "Camera" + name) for name in CAMERAS]
-        server = subprocess.Popen(["pvserver", "--server-port=0"], stdout=subprocess.PIPE, text=True)
-        try:
-            line = ""
-            while "Accepting" not in line and server.poll() is None:
-                line = server.stdout.readline()
-            simple.Connect("localhost", int(re.search(r":(\d+)", line).group(1)))
-            simple.LoadPlugin(os.environ["GALAXY_PLUGIN"], remote=True, ns=vars(simple))
+        with gt.server():
             remote = build()
             self.assertIsNone(remote.GetClientSideObject())
             for name, values in zip(CAMERAS, known):
                 self.assertEqual(gp.field_values(remote, "Camera" + name), values)
-            simple.Disconnect()
-        finally:
-            server.kill()
-            server.wait()
-            server.stdout.close()
 
 
 if __name__ == "__main__":
