@@ -1,5 +1,6 @@
 #include "Filters/Export/AtomicFile.h"
 
+#include "Filters/Export/Folder.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -17,24 +18,6 @@ namespace
 {
 /// Of links to links; the system follows no more.
 constexpr int mostLinks = 40;
-
-std::string folderOf(const std::string& path)
-{
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  return folder.empty() ? "." : folder;
-}
-
-/// The rename itself reaches the disk with the folder. Not every file system can do so; the file is
-/// whole either way.
-void syncFolder(const std::string& folder)
-{
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0)
-  {
-    fsync(descriptor);
-    close(descriptor);
-  }
-}
 } // namespace
 
 AtomicFile::AtomicFile(const std::string& file)
@@ -164,7 +147,7 @@ void AtomicFile::commit()
     this->fail(errno);
   }
   this->temporary.clear();
-  syncFolder(folderOf(this->target));
+  syncFolder(folderOf(this->target)); // with which the rename reaches the disk; whole it is anyway
 }
 
 void AtomicFile::fail(int code) const

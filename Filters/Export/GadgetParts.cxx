@@ -1,5 +1,6 @@
 #include "Filters/Export/GadgetParts.h"
 
+#include "Filters/Export/Folder.h"
 #include "Filters/Export/GadgetBinary.h"
 
 #include <algorithm>
@@ -64,16 +65,15 @@ std::vector<std::string> staleGadgetParts(const std::string& file, std::uint64_t
     stale.push_back(file);
   }
   const fs::path path(file);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path folder = folderOf(file);
   const std::int64_t firstStale = files == 1 ? 0 : static_cast<std::int64_t>(files);
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  for (const std::string& name : namesIn(folder))
   {
-    const std::int64_t part = partOf(entry.path().filename().string(), path.filename().string());
-    const std::int64_t told = part >= firstStale ? filesToldBy(entry.path()) : 0;
+    const std::int64_t part = partOf(name, path.filename().string());
+    const std::int64_t told = part >= firstStale ? filesToldBy(folder / name) : 0;
     if (told > 1 && part < told)
     {
-      stale.push_back(entry.path().string());
+      stale.push_back((folder / name).string());
     }
   }
   return stale;

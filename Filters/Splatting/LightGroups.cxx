@@ -117,6 +117,7 @@ void ComponentLights::add(const std::vector<ComponentInfo>& components,
 std::shared_ptr<const RenderedImage> LightGroups::render(const ParticleView& particles,
   const LightGains& gains, const Camera& camera, const RenderOptions& options,
   const ErrorBound& needed)
+try
 {
   if (this->groups.empty() || !this->split(gains))
   {
@@ -151,6 +152,11 @@ std::shared_ptr<const RenderedImage> LightGroups::render(const ParticleView& par
     drawings.addSeconds(image->statistics);
   }
   return this->combine(gains, drawings);
+}
+catch (...)
+{
+  this->clear(); // groups may be half parted
+  throw;
 }
 
 bool LightGroups::has(const LightGains& gains, const ErrorBound& needed) const
