@@ -33,10 +33,11 @@ struct Box
   }
 };
 
-/// Widens `box` by n <= blockSize particles; `chosen` marks those whose hash has no bit of `mask`.
+/// Widens `box` by n <= blockSize particles, the first of number `first`; `chosen` marks those
+/// whose number's hash has no bit of `mask`.
 GALAXY_SAME_CLONES
-void survey(
-  const float* position, std::size_t n, std::uint32_t mask, Box& box, std::uint8_t* chosen)
+void survey(const float* position, std::uint32_t first, std::size_t n, std::uint32_t mask, Box& box,
+  std::uint8_t* chosen)
 {
   float lx = most, ly = most, lz = most, hx = -most, hy = -most, hz = -most;
 #pragma omp simd reduction(min : lx, ly, lz) reduction(max : hx, hy, hz)
@@ -48,18 +49,16 @@ void survey(
     lx = std::min(lx, finite ? x : most), hx = std::max(hx, finite ? x : -most);
     ly = std::min(ly, finite ? y : most), hy = std::max(hy, finite ? y : -most);
     lz = std::min(lz, finite ? z : most), hz = std::max(hz, finite ? z : -most);
-    std::uint32_t bits[3];
-    std::memcpy(bits, position + 3 * j, sizeof(bits));
-    std::uint32_t hash = bits[0] * 0x9e3779b1u ^ bits[1] * 0x85ebca77u ^ bits[2] * 0xc2b2ae3du;
+    std::uint32_t hash = (first + static_cast<std::uint32_t>(j)) * 0x9e3779b1u;
     hash = (hash ^ hash >> 15) * 0x2c1b3c6du;
     chosen[j] = finite & ((hash >> 16 & mask) == 0);
   }
   box.add({ { lx, ly, lz }, { hx, hy, hz } });
 }
 
-/// Appends the chosen ones of n particles, the first `room` of them at most.
-void copyChosen(const float* position, std::size_t n, const std::uint8_t* chosen, std::size_t room,
-  std::vector<float>& to)
+/// Appends the chosen ones of n particles.
+void copyChosen(
+  const float* position, std::size_t n, const std::uint8_t* chosen, std::vector<float>& to)
 {
   std::uint16_t list[blockSize];
   std::size_t m = 0;
@@ -68,7 +67,7 @@ void copyChosen(const float* position, std::size_t n, const std::uint8_t* chosen
     list[m] = static_cast<std::uint16_t>(j);
     m += chosen[j];
   }
-  for (std::size_t k = 0; k < std::min(m, room); ++k)
+  for (std::size_t k = 0; k < m; ++k)
   {
     const float* p = position + 3 * list[k];
     to.insert(to.end(), p, p + 3);
@@ -84,11 +83,6 @@ CloudSample::CloudSample(const float* position, std::size_t count, std::size_t m
     mask = mask << 1 | 1;
     this->taken /= 2;
   }
-  // Should countless particles share one place, and so one hash, memory stays bounded all the same:
-  // block by block, so that who works on it makes no difference. By chance alone a block has so
-  // many, five standard deviations over the mean and more, in one of millions.
-  const double mean = blockSize * this->taken;
-  const auto room = static_cast<std::size_t>(std::ceil(mean + 5 * std::sqrt(mean) + 8));
   Box all;
   this->chosen.resize(omp_get_max_threads());
   ParallelErrors errors;
@@ -104,8 +98,8 @@ CloudSample::CloudSample(const float* position, std::size_t count, std::size_t m
     for (std::size_t i = 0; i < count; i += blockSize)
     {
       const std::size_t n = std::min(blockSize, count - i);
-      survey(position + 3 * i, n, mask, box, marks);
-      errors.run([&] { copyChosen(position + 3 * i, n, marks, room, mine); });
+      survey(position + 3 * i, static_cast<std::uint32_t>(i), n, mask, box, marks);
+      errors.run([&] { copyChosen(position + 3 * i, n, marks, mine); });
     }
 #pragma omp critical
     all.add(box);
@@ -115,6 +109,7 @@ CloudSample::CloudSample(const float* position, std::size_t count, std::size_t m
   for (int c = 0; c < 3; ++c)
   {
     this->low[c] = all.low[c];
+    this->high[c] = all.high[c];
     this->longest = std::max(this->longest, double(all.high[c]) - all.low[c]);
   }
 }

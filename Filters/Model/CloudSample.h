@@ -7,8 +7,7 @@
 
 namespace galaxy
 {
-/// The extent of a cloud of particles, and a share of them chosen by a hash of their position: the
-/// same whatever their order, unless so many share one place that they would be too many.
+/// The extent of a cloud of particles, and a share of them chosen by a hash of their number.
 /// Particles without a finite position belong to neither.
 class CloudSample
 {
@@ -18,6 +17,7 @@ public:
   CloudSample(const float* position, std::size_t count, std::size_t most);
 
   const std::array<float, 3>& lowest() const { return this->low; }
+  const std::array<float, 3>& highest() const { return this->high; }
   /// The longest side of the box about the cloud; 0 where no two particles are apart.
   double side() const { return this->longest; }
   /// The share taken: a power of 1/2.
@@ -28,7 +28,7 @@ public:
   std::size_t size() const;
 
 private:
-  std::array<float, 3> low{};
+  std::array<float, 3> low{}, high{};
   double longest = 0;
   double taken = 1;
   std::vector<std::vector<float>> chosen;

@@ -45,7 +45,7 @@ int bitsFor(double n, int most)
 } // namespace
 
 /// A block of places and the cells they lie in.
-struct DensityGrid::Places
+struct CellPlaces
 {
   std::size_t size;
   std::int32_t x[blockSize], y[blockSize], z[blockSize];
@@ -77,8 +77,8 @@ void toPlaces(const float* position, std::size_t n, const double* corner, double
 }
 
 /// Goes down from the first cube to the leaves, all places one level at a time, without branches.
-template <class Places>
-GALAXY_SAME_CLONES void findLeaves(const Word* cells, int rootBits, Places& places)
+GALAXY_SAME_CLONES
+void findLeaves(const Word* cells, int rootBits, CellPlaces& places)
 {
   std::fill_n(places.word, places.size, refined | Word(rootBits) << bitsAt);
   std::fill_n(places.cell, places.size, 0);
@@ -106,17 +106,22 @@ GALAXY_SAME_CLONES void findLeaves(const Word* cells, int rootBits, Places& plac
   }
 }
 
-/// Moves each place at random within the cube as large as its cell, centred on it.
-template <class Places>
-GALAXY_SAME_CLONES void scatter(Places& places)
+/// Moves each place at random within the cube as large as its cell, centred on it. The hash is that
+/// of an eighth of the cell's side, which the last bits of a coordinate hardly ever change.
+GALAXY_SAME_CLONES
+void scatter(CellPlaces& places)
 {
 #pragma omp simd
   for (std::size_t j = 0; j < places.size; ++j)
   {
-    Word hash = places.x[j] * 0x9e3779b1u ^ places.y[j] * 0x85ebca77u ^ places.z[j] * 0xc2b2ae3du;
+    const std::int32_t shift = places.shift[j];
+    const auto coarse = [by = std::max(shift - 3, 0)](
+                          std::int32_t place) { return Word(place >> by); };
+    Word hash = coarse(places.x[j]) * 0x9e3779b1u ^ coarse(places.y[j]) * 0x85ebca77u ^
+      coarse(places.z[j]) * 0xc2b2ae3du;
     hash = (hash ^ hash >> 15) * 0x2c1b3c6du;
     hash ^= hash >> 13;
-    const auto moved = [shift = places.shift[j]](std::int32_t place, Word random) {
+    const auto moved = [shift](std::int32_t place, Word random) {
       const std::int32_t by = std::int32_t(random) >> 1 >> (31 - shift);
       return std::min(std::max(place + by, 0), lastPlace);
     };
@@ -135,8 +140,18 @@ DensityGrid::DensityGrid(const float* position, std::size_t count, int neighbour
   {
     return;
   }
-  std::copy(sample.lowest().begin(), sample.lowest().end(), this->corner.begin());
-  this->scale = lastPlace / sample.side();
+  // Round the cloud, in steps that no round number is at the end of: where the outermost particle
+  // moves by the last bit of its coordinate, the cells stay.
+  constexpr double odd = 1.6180339887498949;
+  const double step = std::ldexp(1, std::ilogb(odd * sample.side()) - 12);
+  double side = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    this->corner[c] = step * (std::floor(sample.lowest()[c] / step - odd) + odd);
+    side = std::max(
+      side, step * (std::ceil((sample.highest()[c] - this->corner[c]) / step - odd) + odd));
+  }
+  this->scale = lastPlace / side;
   this->rootBits = bitsFor(sample.size(), mostRootBits);
   this->fresh = { { 0, this->rootBits, placeBits - this->rootBits } };
   this->cells.resize(cellsOf(this->rootBits));
@@ -150,7 +165,7 @@ DensityGrid::DensityGrid(const float* position, std::size_t count, int neighbour
   }
 }
 
-void DensityGrid::locate(const float* position, std::size_t n, Places& places) const
+void DensityGrid::locate(const float* position, std::size_t n, CellPlaces& places) const
 {
   places.size = n;
   toPlaces(position, n, this->corner.data(), this->scale, places.x, places.y, places.z);
@@ -169,7 +184,7 @@ void DensityGrid::countFresh(const CloudSample& sample)
 #pragma omp parallel num_threads(threads)
   {
     std::vector<std::uint32_t>& mine = counts[omp_get_thread_num()];
-    Places places;
+    CellPlaces places;
     for (const std::vector<float>& piece : sample.pieces())
     {
       const std::size_t count = piece.size() / 3;
@@ -241,7 +256,7 @@ void DensityGrid::refine()
 
 void DensityGrid::blockDistances(const float* position, std::size_t n, float* d) const
 {
-  Places places;
+  CellPlaces places;
   this->locate(position, n, places);
   scatter(places);
   findLeaves(this->cells.data(), this->rootBits, places);

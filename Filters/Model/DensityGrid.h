@@ -9,11 +9,13 @@
 namespace galaxy
 {
 class CloudSample;
+struct CellPlaces;
 
 /// The mean distance between particles everywhere in a cloud, from counts in cells that follow its
 /// density: a cube of cells, of which each that holds many particles is a cube of smaller cells,
-/// and so on. Up to 2^21 particles are counted, of larger clouds a random half, quarter, ...
-/// The result depends neither on the order of the particles nor on the number of threads.
+/// and so on. Up to 2^21 particles are counted, of larger clouds a half, quarter, ... that chance
+/// takes by their numbers. The result does not depend on the number of threads, nor, where all are
+/// counted, on the order of the particles.
 class DensityGrid
 {
 public:
@@ -22,9 +24,9 @@ public:
   DensityGrid(const float* position, std::size_t count, int neighbours);
 
   /// d = (V/N)^(1/3) around each of `count` places, in their unit; 0 where no two particles of the
-  /// cloud are apart. A place takes the value of a random point (a hash of its coordinates) of the
-  /// cube as large as its cell, centred on it, so that on average the values change as under linear
-  /// interpolation, and cells leave no edges.
+  /// cloud are apart. A place takes the value of a point of the cube as large as its cell, centred
+  /// on it, that chance chooses for all places of an eighth of the cell's side: on average the
+  /// values change as under linear interpolation, and cells leave no edges.
   void meanDistances(const float* position, std::size_t count, float* d) const;
 
   /// Cells in use, of 4 bytes each.
@@ -37,13 +39,12 @@ private:
     int bits;  ///< 2^bits cells a side
     int shift; ///< a cell's side is 2^shift units of place
   };
-  struct Places;
 
   void countFresh(const CloudSample& sample);
   void measureFresh(double share, bool mayRefine);
   void refine();
   void blockDistances(const float* position, std::size_t n, float* d) const;
-  void locate(const float* position, std::size_t n, Places& places) const;
+  void locate(const float* position, std::size_t n, CellPlaces& places) const;
 
   int neighbours;
   int rootBits = 0;

@@ -120,9 +120,7 @@ private:
     const bool isFold = seen.count > 1;
     const DiskSheet& sheet =
       seen.byShare(isFold ? Random(this->key, RandomStream::SeedSheet, j).uniform() : 0);
-    // In single precision, as it is kept.
-    const float azimuth =
-      std::atan2(static_cast<float>(sheet.sinTheta), static_cast<float>(sheet.cosTheta));
+    const double azimuth = std::atan2(sheet.sinTheta, sheet.cosTheta);
     setSeed(this->seeds, j - this->range.first, sheet.r, azimuth, this->map.intensity(pixel),
       this->map.color(pixel), j);
   }
