@@ -2,6 +2,7 @@
 #include "Filters/Model/WorkProgress.h"
 #include "Filters/Splatting/DepthOrder.h"
 #include "Filters/Splatting/Picture.h"
+#include "Filters/Splatting/SpreadAbsorbers.h"
 #include "Filters/Splatting/TileComposite.h"
 #include "Filters/Splatting/TilePieces.h"
 #include "Filters/Splatting/TileSummary.h"
@@ -362,12 +363,15 @@ void Compositor::store(
 RenderedImage renderSorted(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
-  return Compositor(particles, camera, options, {}).render();
+  SpreadAbsorbers spread;
+  return Compositor(spread.of(particles, camera, options.kernel), camera, options, {}).render();
 }
 
 RenderedImage renderBounded(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
-  return Compositor(particles, camera, options, options.allowed).render();
+  SpreadAbsorbers spread;
+  const ParticleView all = spread.of(particles, camera, options.kernel);
+  return Compositor(all, camera, options, options.allowed).render();
 }
 } // namespace galaxy

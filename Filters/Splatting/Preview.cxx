@@ -22,26 +22,38 @@ Buffer<T> pick(const T* values, std::size_t width, const std::vector<std::size_t
   return picked;
 }
 
-/// So many different numbers below `size` in random order, every such list with the same chance.
+/// So many different numbers below `size` in random order. The first of them, however many, come
+/// one from each of as many parts of equal length: they are the bits of 0, 1, 2 ... backwards, with
+/// each bit changed at random as those above it say (Owen 1995; by the hash of Laine and Karras
+/// 2011).
 std::vector<std::size_t> drawFrom(std::size_t size, std::size_t count)
 {
-  Random random({}, RandomStream::Preview, 0);
-  const auto below = [&random](std::size_t end) {
-    return std::min(static_cast<std::size_t>(random.uniform() * double(end)), end - 1);
-  };
+  int bits = 0;
+  while (bits < 63 && size > std::size_t(1) << bits)
+  {
+    ++bits;
+  }
+  const auto random = randomBits({}, RandomStream::Preview, 0, 0);
+  const std::uint64_t seed = std::uint64_t(random[0]) << 32 | random[1];
   std::vector<std::size_t> drawn;
   drawn.reserve(count);
-  // One after the other is taken with the chance that is left for it (Fan et al. 1962).
-  for (std::size_t i = 0; drawn.size() < count; ++i)
+  for (std::uint64_t k = 0; drawn.size() < count; ++k)
   {
-    if (below(size - i) < count - drawn.size())
+    // A bit of a product or a sum depends on those below it only.
+    std::uint64_t x = k + seed;
+    for (const std::uint64_t factor : { 0x6c50b47cU, 0xb82f1e52U, 0xc7afe638U, 0x8d22f6e6U })
     {
-      drawn.push_back(i);
+      x ^= x * factor;
     }
-  }
-  for (std::size_t k = count; k > 1; --k)
-  {
-    std::swap(drawn[k - 1], drawn[below(k)]);
+    std::uint64_t backwards = 0;
+    for (int bit = 0; bit < bits; ++bit)
+    {
+      backwards |= (x >> bit & 1) << (bits - 1 - bit);
+    }
+    if (backwards < size)
+    {
+      drawn.push_back(backwards);
+    }
   }
   return drawn;
 }
@@ -84,8 +96,8 @@ RenderedImage Preview::render(const ParticleView& particles, std::uint64_t versi
   {
     const double left = seconds - (omp_get_wtime() - start);
     const double count = std::max(fewest, 0.8 * this->rate * left);
-    const ParticleView view = this->sample->first(static_cast<std::size_t>(count), particles);
     const double before = omp_get_wtime();
+    const ParticleView view = this->sample->first(static_cast<std::size_t>(count), particles);
     RenderedImage image = renderSorted(view, camera, sorted);
     const double now = omp_get_wtime();
     const bool isFirst = this->rate == 0;

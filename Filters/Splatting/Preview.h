@@ -10,7 +10,7 @@
 namespace galaxy
 {
 /// Particles drawn at random, all with the same chance, in random order: of any length, its
-/// beginning is a fair sample of all.
+/// beginning is a fair sample of all, with about as many from each part of the list.
 class PreviewSample
 {
 public:
@@ -20,8 +20,8 @@ public:
   std::size_t size() const { return this->arrays.size(); }
 
   /// The first particles of the sample, each of which stands for as many of all as it takes: light
-  /// and optical depth are the whole's on average. `like` has what is not the particles': the
-  /// components and which of them are shown.
+  /// and what absorbers let through are the whole's on average. `like` has what is not the
+  /// particles': the components and which of them are shown.
   ParticleView first(std::size_t count, const ParticleView& like) const;
 
 private:

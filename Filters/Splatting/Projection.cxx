@@ -144,6 +144,12 @@ Projection::Place Projection::placeOf(std::size_t i) const
   return place;
 }
 
+double Projection::pixelAt(std::size_t i) const
+{
+  const double ratio = this->placeOf(i).ratio;
+  return ratio > 0 ? 1 / ratio : 0;
+}
+
 PixelBox Projection::classify(std::size_t i, ParticleCounts& counts) const
 {
   const ParticleLight light = this->light(i);

@@ -133,6 +133,9 @@ public:
   /// The smoothing length drawn, kpc.
   double radius(std::size_t i) const;
 
+  /// How long a pixel is at particle i, kpc; 0 behind the eye.
+  double pixelAt(std::size_t i) const;
+
   /// False for what has no place or size, or light below nothing.
   bool valid(std::size_t i, const ParticleLight& light) const;
 

@@ -37,7 +37,9 @@ struct ParticleView
   const float* absorption = nullptr;       ///< absorptionChannels x N: cross-section, kpc^2
   int emissionChannels = 3;                ///< 1 (grey) or 3
   int absorptionChannels = 3;              ///< 1 (grey) or 3
-  double weight = 1; ///< how many particles like itself each of them stands for
+  /// How many particles like itself each of them stands for; with more than one, absorbers are
+  /// drawn as SpreadAbsorbers.
+  double weight = 1;
   const std::vector<ComponentInfo>* components = nullptr; ///< null: one emitting component
   const std::vector<bool>* visible = nullptr;             ///< per component; null: all
 };
