@@ -46,7 +46,7 @@ class Compositor
 public:
   Compositor(const ParticleView& particles, const Camera& camera_, const RenderOptions& options_,
     const ErrorBound& allowed)
-    : projection(particles, camera_)
+    : projection(particles, { camera_, options_.kernel })
     , camera(camera_)
     , grid(camera_.width, camera_.height)
     , options(options_)
@@ -108,8 +108,8 @@ void Compositor::renderBands(RenderedImage& image)
 {
   const double start = omp_get_wtime();
   RenderMemory own;
-  const TileDealer dealer(this->projection, this->camera,
-    this->options.memory ? *this->options.memory : own, this->progress);
+  const TileDealer dealer(
+    this->projection, this->options.memory ? *this->options.memory : own, this->progress);
   this->seconds[0] = omp_get_wtime() - start;
   this->counts = dealer.missing();
   for (int k = 0; k < dealer.bands(); ++k)

@@ -96,7 +96,7 @@ void JointParticles::addLight(const ParticleView& part, std::size_t at)
   }
   ParticleView plain = part;
   plain.components = &table;
-  const Projection projection(plain, Camera());
+  const Projection projection(plain, { Camera(), Kernel::Gaussian });
   for (std::size_t i = 0; i < part.size; ++i)
   {
     const ParticleLight light = projection.light(i);

@@ -127,7 +127,9 @@ public:
     const auto number = [](double x) { return hn::Set(tag, static_cast<float>(x)); };
     const V x = number(particle.x), y = number(particle.y), z = number(particle.z);
     const V peak = number(nearPeak / (sigmaInPixels * sigmaInPixels));
-    const V end = number(-std::exp(-9.0)), half = number(0.5), farthest = number(10);
+    const V half = number(0.5);
+    const V share = number(particle.share), perSigma = number(particle.perSigma);
+    const V u = number(particle.u), v = number(particle.v);
     for (int k = 0; k < this->size; k += lanes())
     {
       const V right = hn::Load(tag, this->right + k), up = hn::Load(tag, this->up + k),
@@ -137,9 +139,14 @@ public:
       const V bx = hn::NegMulAdd(s, right, x), by = hn::NegMulAdd(s, up, y),
               bz = hn::NegMulAdd(s, forward, z);
       const V b2 = hn::MulAdd(bx, bx, hn::MulAdd(by, by, hn::Mul(bz, bz)));
-      const V b2Inside = hn::Min(b2, farthest);
-      const V falls = isExact ? hn::Exp(tag, hn::Neg(b2Inside)) : decay(b2Inside);
-      const V profile = hn::Max(hn::Add(falls, end), hn::Zero(tag));
+      V profile = profileAt<isExact>(b2);
+      if (particle.share > 0)
+      {
+        const V du = hn::Mul(hn::Sub(hn::Div(right, forward), u), perSigma);
+        const V dv = hn::Mul(hn::Sub(hn::Div(up, forward), v), perSigma);
+        const V circle = profileAt<isExact>(hn::MulAdd(du, du, hn::Mul(dv, dv)));
+        profile = hn::MulAdd(share, hn::Sub(circle, profile), profile);
+      }
       const V before = hn::Add(cumulative(tag, s), half);
       hn::Store(hn::Mul(hn::Mul(peak, profile), before), tag, this->values + k);
     }
@@ -181,6 +188,15 @@ public:
   HWY_INLINE V weights(V, int y, int x) const { return hn::LoadU(tag, this->table[y] + x); }
 
 private:
+  template <bool isExact>
+  static HWY_INLINE V profileAt(V b2)
+  {
+    const V inside = hn::Min(b2, hn::Set(tag, 10.0F));
+    const V falls = isExact ? hn::Exp(tag, hn::Neg(inside)) : decay(inside);
+    const V end = hn::Set(tag, -static_cast<float>(std::exp(-9.0)));
+    return hn::Max(hn::Add(falls, end), hn::Zero(tag));
+  }
+
   TileCone cone;
   bool hasNodes = false;
   int size = 0; ///< of nodes or pixels, row by row

@@ -1,9 +1,8 @@
 #ifndef galaxy_NearParticle_h
 #define galaxy_NearParticle_h
 
-#include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/GaussianKernel.h"
-#include "Filters/Splatting/Render.h"
+#include "Filters/Splatting/Lens.h"
 
 #include <cmath>
 
@@ -12,30 +11,16 @@ namespace galaxy
 /// A particle that the eye is in, or almost: it is no disc on the image plane. Every pixel looks
 /// along its own ray, which passes the centre at a distance b of its own, and sees the part of the
 /// column that lies before the eye: of exp(-r^2/sigma^2), with (1 + erf(s/sigma))/2 where s is how
-/// far along the ray the centre is. A cubic spline is drawn as the Gaussian of its variance.
+/// far along the ray the centre is. A cubic spline is drawn as the Gaussian of its variance. Where
+/// it is soon to be one, it is drawn as that in part, see Lens.
 struct NearParticle
 {
   double x, y, z; ///< of the centre, from the eye to the right, up and forward, in sigma
   double sigma;   ///< kpc
+  /// The circle: its share, its middle on the image plane (focal length 1), and 1 / sigma there.
+  double share, u, v, perSigma;
 
-  NearParticle(const Vec3& position, double smoothingLength, Kernel kernel, const Camera& camera)
-    : sigma(sigmas(kernel) * smoothingLength)
-  {
-    const Vec3 d = (1 / this->sigma) * (position - camera.eye);
-    this->x = dot(d, camera.right);
-    this->y = dot(d, camera.up);
-    this->z = dot(d, camera.forward);
-  }
-
-  /// Nearer than so many smoothing lengths: at 2, the image plane and the rays' own distances agree
-  /// to 1 % over the kernel's sigma.
-  static constexpr double within = 2;
-
-  /// Whether a particle is, at such a place from the eye; in a parallel projection none is.
-  static bool is(const Vec3& fromEye, double smoothingLength, const Camera& camera)
-  {
-    return !camera.parallel && length(fromEye) < within * smoothingLength;
-  }
+  NearParticle(const Vec3& position, double smoothingLength, const Lens& lens);
 
   /// Of the kernel, in smoothing lengths.
   static constexpr double sigmas(Kernel kernel)
@@ -53,11 +38,19 @@ struct NearParticle
                  cz = this->x * v - this->y * u;
     return (cx * cx + cy * cy + cz * cz) / (1 + u * u + v * v);
   }
+  /// The same of the circle.
+  double circleOffset2(double u, double v) const
+  {
+    const double du = (u - this->u) * this->perSigma, dv = (v - this->v) * this->perSigma;
+    return du * du + dv * dv;
+  }
   double along(double u, double v) const
   {
     return (this->x * u + this->y * v + this->z) / std::sqrt(1 + u * u + v * v);
   }
 
+  /// Of its whole column, per sigma^2.
+  double profile(double u, double v) const;
   /// The share of its light that a ray sees, per kpc^2.
   double column(double u, double v) const;
 };
@@ -73,11 +66,15 @@ public:
   static Vec3 ray(const Camera& camera, double x, double y);
 
   /// Whether no ray of the tile passes the particle within 3 sigma, in front of the eye or no more
-  /// than 3 sigma behind it, where the kernel ends.
+  /// than 3 sigma behind it, where the kernel ends; nor on the image plane its circle.
   bool misses(const NearParticle& particle) const;
 
 private:
-  Vec3 middle;                 ///< right, up and forward, of length 1
+  bool raysMiss(const NearParticle& particle) const;
+  bool missesCircle(const NearParticle& particle) const;
+
+  double left = 0, bottom = 0, right = 0, top = 0; ///< on the image plane, focal length 1
+  Vec3 middle;                                     ///< right, up and forward, of length 1
   double cosine = 1, sine = 0; ///< of the angle from there to the farthest corner
 };
 

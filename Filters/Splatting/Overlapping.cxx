@@ -139,19 +139,17 @@ private:
     std::copy_n(light.t, 3, ball.t);
     if (splat.kind() == SplatKind::Near)
     {
-      const NearParticle near = projection.near(splat, this->options.kernel);
+      const NearParticle near = projection.near(splat);
       ball.near = std::make_shared<const NearParticle>(near);
       ball.sigma = near.sigma;
       return ball;
     }
-    const double pixelsPerKpc = this->camera.parallel
-      ? this->camera.scale
-      : this->camera.scale * this->rayThrough(ball.x, ball.y).length() / ball.distance;
-    // The spline of support h has the variance of a Gaussian exp(-x^2/sigma^2) of this sigma.
-    const double inH = this->options.kernel == Kernel::Gaussian ? 1.0 / 3 : 0.3873;
+    const Ray middle = this->rayThrough(ball.x, ball.y);
+    const double h = projection.lens().smoothingLength(
+      middle.u, middle.v, ball.h / this->camera.scale, ball.distance);
     // A point keeps a width of its own, so that it has a place among the slices.
     const double least = 1e-7 * std::max(1e-3, std::abs(ball.distance));
-    ball.sigma = std::max(inH * ball.h / pixelsPerKpc, least);
+    ball.sigma = std::max(NearParticle::sigmas(this->options.kernel) * h, least);
     return ball;
   }
 
@@ -229,8 +227,7 @@ private:
       for (int x = this->box.x0; x < this->box.x1; ++x)
       {
         const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
-        const double share =
-          nearPeak * std::exp(-ball.near->offset2(ray.u, ray.v)) / (sigma * sigma);
+        const double share = ball.near->profile(ray.u, ray.v) / (sigma * sigma);
         this->spreadOnRay(ball, x, y, share);
       }
     }
@@ -295,10 +292,10 @@ RenderedImage renderOverlapping(
 {
   RenderedImage image = emptyPicture(camera);
   const double start = omp_get_wtime();
-  const Projection projection(particles, camera);
+  const Projection projection(particles, { camera, options.kernel });
   RenderMemory own;
   WorkProgress progress(options.progress);
-  const TileDealer dealer(projection, camera, options.memory ? *options.memory : own, progress);
+  const TileDealer dealer(projection, options.memory ? *options.memory : own, progress);
   const TileGrid& grid = dealer.grid();
   ParticleCounts counts = dealer.missing();
   std::atomic<std::size_t> coarse{ 0 };

@@ -1,7 +1,6 @@
 #include "Filters/Splatting/Panorama.h"
 
 #include "Filters/Model/ParallelFor.h"
-#include "Filters/Splatting/FaceParticles.h"
 #include "Filters/Splatting/SkyFace.h"
 
 #include <algorithm>
@@ -269,7 +268,6 @@ RenderedImage renderPanorama(
   RenderedImage image = emptyPanorama(panorama, samples);
   const std::vector<int> faces = facesOf(panorama);
   const double count = static_cast<double>(faces.size());
-  FaceParticles faceParticles(particles, options.kernel);
   RenderOptions faceOptions = options;
   faceOptions.opaqueDepth = nullptr;
   faceOptions.previewTime = options.previewTime / count;
@@ -282,8 +280,7 @@ RenderedImage renderPanorama(
       };
     }
     const SkyFace face(panorama.ahead, faces[k], panorama.finest());
-    const RenderedImage picture =
-      render(faceParticles.seenBy(face.camera()), face.camera(), faceOptions);
+    const RenderedImage picture = render(particles, face.camera(), faceOptions);
     if (picture.aborted)
     {
       std::fill(image.radiance.begin(), image.radiance.end(), 0.0F);

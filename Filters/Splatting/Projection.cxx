@@ -39,9 +39,9 @@ Projection::Factors::Factors(const ComponentInfo& component, double weight)
   }
 }
 
-Projection::Projection(const ParticleView& particles_, const Camera& camera_)
+Projection::Projection(const ParticleView& particles_, const Lens& lens_)
   : particles(particles_)
-  , camera(camera_)
+  , eye(lens_)
   , emissionStride(particles_.emissionChannels == 1 ? 1 : 3)
   , emissionStep(particles_.emissionChannels == 1 ? 0 : 1)
   , absorptionStride(particles_.absorptionChannels == 1 ? 1 : 3)
@@ -123,24 +123,26 @@ bool Projection::valid(std::size_t i, const ParticleLight& light) const
 
 Projection::Place Projection::placeOf(std::size_t i) const
 {
-  const Camera& c = this->camera;
+  const Camera& c = this->eye.camera();
   const float* p = this->particles.position + 3 * i;
-  const Vec3 d = Vec3{ p[0], p[1], p[2] } - c.eye;
-  Place place;
-  place.seen = { dot(d, c.right), dot(d, c.up), dot(d, c.forward) };
   const double radius = this->radius(i);
-  if (NearParticle::is(d, radius, c))
+  Place place;
+  place.seen = this->eye.seen({ p[0], p[1], p[2] });
+  place.isNear = this->eye.isNear(place.seen, radius);
+  if (place.isNear)
   {
     // On every pixel.
     place.ratio = c.scale / radius;
-    place.x = place.y = 0;
     place.h = 1e15;
-    return place;
   }
-  place.ratio = c.parallel ? c.scale : c.scale / place.seen.z;
-  place.x = c.centerX + place.ratio * place.seen.x;
-  place.y = c.centerY + place.ratio * place.seen.y;
-  place.h = place.ratio * radius;
+  else if (this->eye.isBefore(place.seen, radius))
+  {
+    const Lens::Circle circle = this->eye.circle(place.seen, radius);
+    place.ratio = c.scale * circle.radius;
+    place.x = c.centerX + c.scale * circle.x;
+    place.y = c.centerY + c.scale * circle.y;
+    place.h = place.ratio * radius;
+  }
   return place;
 }
 
@@ -158,6 +160,7 @@ PixelBox Projection::classify(std::size_t i, ParticleCounts& counts) const
     ++counts.invalid;
     return {};
   }
+  const Camera& camera = this->eye.camera();
   const Place p = this->placeOf(i);
   PixelBox box;
   const bool absorbs = light.absorbs();
@@ -165,10 +168,10 @@ PixelBox Projection::classify(std::size_t i, ParticleCounts& counts) const
   const bool finite = p.ratio > 0 && double(light.most()) * p.ratio * p.ratio < 1e37;
   if (finite && this->visible(i) && (absorbs || light.emits()))
   {
-    box.x0 = clampedFloor(p.x - p.h, 0, this->camera.width);
-    box.y0 = clampedFloor(p.y - p.h, 0, this->camera.height);
-    box.x1 = clampedFloor(p.x + p.h, -1, this->camera.width - 1) + 1;
-    box.y1 = clampedFloor(p.y + p.h, -1, this->camera.height - 1) + 1;
+    box.x0 = clampedFloor(p.x - p.h, 0, camera.width);
+    box.y0 = clampedFloor(p.y - p.h, 0, camera.height);
+    box.x1 = clampedFloor(p.x + p.h, -1, camera.width - 1) + 1;
+    box.y1 = clampedFloor(p.y + p.h, -1, camera.height - 1) + 1;
   }
   if (box.empty())
   {

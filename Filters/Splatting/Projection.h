@@ -1,6 +1,7 @@
 #ifndef galaxy_Projection_h
 #define galaxy_Projection_h
 
+#include "Filters/Splatting/Lens.h"
 #include "Filters/Splatting/NearParticle.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Splat.h"
@@ -43,11 +44,11 @@ struct ParticleLight
 /// So many consecutive particles are projected together.
 constexpr int particlesAtOnce = 1024;
 
-/// Particles seen through a camera.
+/// Particles seen through a lens.
 class Projection
 {
 public:
-  Projection(const ParticleView& particles, const Camera& camera);
+  Projection(const ParticleView& particles, const Lens& lens);
 
   std::size_t size() const { return this->particles.size; }
 
@@ -140,28 +141,30 @@ public:
   bool valid(std::size_t i, const ParticleLight& light) const;
 
   /// A splat of kind Near.
-  NearParticle near(const Splat& splat, Kernel kernel) const
+  NearParticle near(const Splat& splat) const { return this->near(SlabName::of(splat).particle); }
+  NearParticle near(std::size_t i) const
   {
-    const std::size_t i = SlabName::of(splat).particle;
     const float* p = this->position(i);
-    return { { p[0], p[1], p[2] }, this->radius(i), kernel, this->camera };
+    return { { p[0], p[1], p[2] }, this->radius(i), this->eye };
   }
-  const Camera& seenBy() const { return this->camera; }
+  const Lens& lens() const { return this->eye; }
 
   /// Whether the particle's component is shown.
   bool visible(std::size_t i) const { return !this->hasHidden || this->factors(i).visible; }
 
-private:
-  /// Double precision, since a camera may be megaparsecs from the origin.
+  /// A particle on the image plane, in double precision, since a camera may be megaparsecs from the
+  /// origin.
   struct Place
   {
-    Vec3 seen;    ///< kpc to the right, up and into the scene, from the eye
-    double ratio; ///< pixels per kpc at the particle
-    double x, y;  ///< pixels
-    double h;     ///< pixels
+    Vec3 seen;           ///< kpc to the right, up and into the scene, from the eye
+    bool isNear = false; ///< a NearParticle, on every pixel
+    double x = 0, y = 0; ///< pixels
+    double h = 0;        ///< pixels
+    double ratio = 0;    ///< pixels of h per kpc; 0 of what is not before the eye
   };
   Place placeOf(std::size_t i) const;
 
+private:
   /// A component's part of the light, with everything that does not differ between its particles
   /// multiplied together.
   struct Factors
@@ -184,7 +187,7 @@ private:
   }
 
   ParticleView particles;
-  Camera camera;
+  Lens eye;
   std::vector<Factors> table;
   bool hasSizes = false;  ///< some component's size is not 1
   bool hasHidden = false; ///< some component is not shown

@@ -18,40 +18,32 @@ struct Disc
   double x = 0, y = 0, h = 0, depth = 0;
   double e[3], t[3];
   std::shared_ptr<const NearParticle> near; ///< then x, y and h mean nothing
-  Vec3 place;                               ///< from the eye, kpc
+  Vec3 place;                               ///< to the right, up and into the scene, kpc
 };
 
-/// The particle's place straight from the definition of the camera; false behind the eye.
-bool project(const Vec3& position, double radius, const ParticleLight& light, Kernel kernel,
-  const Camera& camera, Disc& disc)
+Disc discOf(const Projection& projection, std::size_t i)
 {
-  const Vec3 d = position - camera.eye;
-  disc.place = d;
-  const double along = dot(d, camera.forward);
-  if (NearParticle::is(d, radius, camera))
+  const Projection::Place place = projection.placeOf(i);
+  const bool isParallel = projection.lens().camera().parallel;
+  const ParticleLight light = projection.light(i);
+  Disc disc;
+  disc.x = place.x;
+  disc.y = place.y;
+  disc.h = place.h;
+  disc.depth = isParallel ? place.seen.z : length(place.seen);
+  disc.place = place.seen;
+  if (place.isNear)
   {
-    disc.near = std::make_shared<const NearParticle>(position, radius, kernel, camera);
-    disc.depth = length(d);
-    std::copy_n(light.L, 3, disc.e);
-    std::copy_n(light.K, 3, disc.t);
-    return true;
+    disc.near = std::make_shared<const NearParticle>(projection.near(i));
   }
-  if (!camera.parallel && along <= 0)
-  {
-    return false;
-  }
-  const double pixelsPerKpc = camera.parallel ? camera.scale : camera.scale / along;
-  disc.x = camera.centerX + pixelsPerKpc * dot(d, camera.right);
-  disc.y = camera.centerY + pixelsPerKpc * dot(d, camera.up);
-  disc.h = pixelsPerKpc * radius;
-  disc.depth = camera.parallel ? along : length(d);
-  const double perArea = pixelsPerKpc * pixelsPerKpc;
+  // Of a NearParticle, the column is per kpc^2 already.
+  const double perArea = place.isNear ? 1 : place.ratio * place.ratio;
   for (int c = 0; c < 3; ++c)
   {
     disc.e[c] = light.L[c] * perArea;
     disc.t[c] = light.K[c] * perArea;
   }
-  return true;
+  return disc;
 }
 
 /// Light and optical depth of the whole image.
@@ -116,20 +108,13 @@ Sums emptySums(const Camera& camera)
 std::vector<Disc> visibleDiscs(
   const ParticleView& particles, const Camera& camera, Kernel kernel, ParticleCounts& counts)
 {
-  const Projection projection(particles, camera);
+  const Projection projection(particles, { camera, kernel });
   std::vector<Disc> discs;
   for (std::size_t i = 0; i < particles.size; ++i)
   {
-    if (projection.classify(i, counts).empty())
+    if (!projection.classify(i, counts).empty())
     {
-      continue;
-    }
-    const float* p = particles.position + 3 * i;
-    Disc disc;
-    if (project(
-          { p[0], p[1], p[2] }, projection.radius(i), projection.light(i), kernel, camera, disc))
-    {
-      discs.push_back(disc);
+      discs.push_back(discOf(projection, i));
     }
   }
   std::stable_sort(
@@ -168,7 +153,7 @@ RenderedImage renderInOrderOfRays(
     forEachPixel(disc, camera, options, [&](std::size_t pixel, double share) {
       const double u = (double(pixel % camera.width) + 0.5 - camera.centerX) / camera.scale;
       const double v = (double(pixel / camera.width) + 0.5 - camera.centerY) / camera.scale;
-      const Vec3 ray = normalized(u * camera.right + v * camera.up + camera.forward);
+      const Vec3 ray = normalized({ u, v, 1 });
       const double depth = camera.parallel ? disc.depth : dot(disc.place, ray);
       crossings[pixel].push_back({ depth, &disc, share });
     });

@@ -76,14 +76,15 @@ HWY_INLINE hn::Mask<Wide> areSane(const BlockPlaces& p, int k)
 struct Seen
 {
   W right, up, forward; ///< kpc from the eye
-  W distance2;          ///< kpc^2
-  W ratio;              ///< pixels per kpc; of a NearParticle, at its smoothing length's distance
+  W distance;           ///< kpc
+  W ratio; ///< pixels of h per kpc; of a NearParticle, pixels at its smoothing length's distance
   hn::Mask<Wide> isNear;
   W x, y, h; ///< pixels from the grid's corner; h is negative, which touches nothing, of what is
              ///< not shown
 
-  HWY_INLINE Seen(const BlockPlaces& p, int k, const Camera& c, const TileGrid& grid)
+  HWY_INLINE Seen(const BlockPlaces& p, int k, const Lens& lens, const TileGrid& grid)
   {
+    const Camera& c = lens.camera();
     const W dx = hn::Sub(loaded(p.x + k), hn::Set(wide, c.eye.x));
     const W dy = hn::Sub(loaded(p.y + k), hn::Set(wide, c.eye.y));
     const W dz = hn::Sub(loaded(p.z + k), hn::Set(wide, c.eye.z));
@@ -93,16 +94,29 @@ struct Seen
     this->right = sumOfProducts(dx, c.right.x, dy, c.right.y, dz, c.right.z);
     this->up = sumOfProducts(dx, c.up.x, dy, c.up.y, dz, c.up.z);
     this->forward = sumOfProducts(dx, c.forward.x, dy, c.forward.y, dz, c.forward.z);
-    this->distance2 = hn::MulAdd(this->right, this->right,
+    const W distance2 = hn::MulAdd(this->right, this->right,
       hn::MulAdd(this->up, this->up, hn::Mul(this->forward, this->forward)));
-    const W reach = hn::Mul(hn::Set(wide, c.parallel ? 0 : NearParticle::within), r);
-    this->isNear = hn::Lt(this->distance2, hn::Mul(reach, reach));
-    const auto isBefore = hn::Gt(this->forward, hn::Zero(wide));
-    const W scale = hn::Set(wide, c.scale);
-    const W depth = hn::IfThenElse(isBefore, this->forward, hn::Set(wide, 1.0));
-    this->ratio = c.parallel ? scale : hn::Div(scale, hn::IfThenElse(this->isNear, r, depth));
-    this->x = hn::MulAdd(this->ratio, this->right, hn::Set(wide, c.centerX + grid.left));
-    this->y = hn::MulAdd(this->ratio, this->up, hn::Set(wide, c.centerY + grid.bottom));
+    this->distance = hn::Sqrt(distance2);
+    const W r2 = hn::Mul(r, r);
+    const auto isWithin = [&](double radii2) {
+      return hn::Lt(distance2, hn::Mul(r2, hn::Set(wide, radii2)));
+    };
+    const auto isBeside = hn::Or(hn::Lt(this->forward, r), isWithin(Lens::within * Lens::within));
+    const auto isBefore = hn::AndNot(isBeside, hn::Gt(this->forward, hn::Zero(wide)));
+    this->isNear = hn::And(isBeside, isWithin(lens.nearReach2()));
+    if (!hn::AllFalse(wide, this->isNear))
+    {
+      this->isNear = hn::And(this->isNear, this->reachField(lens, distance2, r2));
+    }
+    W scale = hn::Set(wide, c.scale); // of the place
+    this->ratio = scale;
+    if (!c.parallel)
+    {
+      const W depth = hn::IfThenElse(isBefore, this->forward, hn::Set(wide, 1.0));
+      this->toCircle(lens, hn::IfThenElse(this->isNear, r, depth), r, scale);
+    }
+    this->x = hn::MulAdd(scale, this->right, hn::Set(wide, c.centerX + grid.left));
+    this->y = hn::MulAdd(scale, this->up, hn::Set(wide, c.centerY + grid.bottom));
     const auto isShown = c.parallel ? isSeen : hn::And(isSeen, isBefore);
     this->x = hn::IfThenElseZero(hn::AndNot(this->isNear, isShown), this->x);
     this->y = hn::IfThenElseZero(hn::AndNot(this->isNear, isShown), this->y);
@@ -110,11 +124,44 @@ struct Seen
     // On every pixel.
     this->h = hn::IfThenElse(hn::And(this->isNear, isSeen), hn::Set(wide, 1e15), this->h);
   }
+
+private:
+  /// As Lens::isNear() has it.
+  HWY_INLINE hn::Mask<Wide> reachField(const Lens& lens, W distance2, W r2) const
+  {
+    const W zero = hn::Zero(wide), r = hn::Sqrt(r2);
+    const W beside =
+      hn::Sqrt(hn::Max(hn::NegMulAdd(this->forward, this->forward, distance2), zero));
+    const W tangent = hn::Sqrt(hn::Max(hn::Sub(distance2, r2), zero));
+    const W along = hn::MulAdd(this->forward, tangent, hn::Mul(beside, r));
+    const W field = hn::Mul(distance2, hn::Set(wide, lens.cosineOfField()));
+    const auto isOnAxis = hn::And(hn::Gt(this->forward, zero), hn::Lt(beside, r));
+    return hn::Or(hn::Lt(distance2, r2), hn::Or(isOnAxis, hn::Gt(along, field)));
+  }
+
+  /// The scales of a perspective at a depth, see Lens::circle().
+  HWY_INLINE void toCircle(const Lens& lens, W depth, W r, W& scale)
+  {
+    const auto number = [](double x) { return hn::Set(wide, x); };
+    const W perDepth = hn::Div(number(1), depth);
+    const W secant = hn::Mul(this->distance, perDepth);
+    const W cosine = hn::Div(number(1), secant);
+    const W part = hn::Mul(r, perDepth);
+    const W w = hn::Mul(number(lens.variance()), hn::Mul(part, part));
+    const W area =
+      hn::MulAdd(w, hn::NegMulAdd(number(2), hn::Mul(cosine, cosine), number(6)), number(1));
+    const W terms = hn::MulAdd(number(6.5), w, hn::MulAdd(number(1.5), cosine, number(1.5)));
+    const W out = hn::MulAdd(w, terms, number(1));
+    const W flat = hn::Mul(scale, perDepth);
+    scale = hn::Mul(flat, out);
+    this->ratio =
+      hn::IfThenElse(this->isNear, flat, hn::Mul(flat, hn::Sqrt(hn::Mul(area, secant))));
+  }
 };
 
 /// The tiles that particles touch.
 HWY_INLINE void storeTiles(
-  const Seen& seen, const Camera& c, const TileGrid& grid, int k, BlockTiles& tiles)
+  const Seen& seen, bool isParallel, const TileGrid& grid, int k, BlockTiles& tiles)
 {
   const W reach = hn::Mul(seen.h, hn::Set(wide, kernelCut));
   const Range columns(seen.x, reach, grid.left, grid.width);
@@ -134,16 +181,16 @@ HWY_INLINE void storeTiles(
   const auto home =
     hn::IfThenElse(isSome, hn::IfThenElse(isOne, tile, several), code(TileHome::nowhere));
   hn::StoreU(home, ints, reinterpret_cast<std::int32_t*>(tiles.home) + k);
-  hn::StoreU(c.parallel ? seen.forward : hn::Sqrt(seen.distance2), wide, tiles.depth + k);
+  hn::StoreU(isParallel ? seen.forward : seen.distance, wide, tiles.depth + k);
 }
 
 void locateVectors(
-  const BlockPlaces& places, int count, const Camera& c, const TileGrid& grid, BlockTiles& tiles)
+  const BlockPlaces& places, int count, const Lens& lens, const TileGrid& grid, BlockTiles& tiles)
 {
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
   {
-    const Seen seen(places, k, c, grid);
-    storeTiles(seen, c, grid, k, tiles);
+    const Seen seen(places, k, lens, grid);
+    storeTiles(seen, lens.camera().parallel, grid, k, tiles);
     const auto isSane = areSane(places, k);
     if (!hn::AllTrue(wide, isSane))
     {
@@ -167,12 +214,12 @@ HWY_INLINE hn::Vec<Ints> storePlace(W x, hn::Vec<Ints> tile, float* part)
 }
 
 void projectPlaces(
-  const BlockPlaces& places, int count, const Camera& c, const TileGrid& grid, SplatBlock& block)
+  const BlockPlaces& places, int count, const Lens& lens, const TileGrid& grid, SplatBlock& block)
 {
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
   {
-    const Seen seen(places, k, c, grid);
-    storeTiles(seen, c, grid, k, block.tiles);
+    const Seen seen(places, k, lens, grid);
+    storeTiles(seen, lens.camera().parallel, grid, k, block.tiles);
     const auto column = storePlace(seen.x, hn::LoadU(ints, block.tiles.column0 + k), block.x + k);
     const auto row = storePlace(seen.y, hn::LoadU(ints, block.tiles.row0 + k), block.y + k);
     hn::StoreU(hn::Or(column, hn::ShiftLeft<Splat::rowBit>(row)), ints,
@@ -280,9 +327,9 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
 }
 
 void projectVectors(const BlockPlaces& places, const BlockLights& lights, int count,
-  const Camera& camera, const TileGrid& grid, SplatBlock& block)
+  const Lens& lens, const TileGrid& grid, SplatBlock& block)
 {
-  projectPlaces(places, count, camera, grid, block);
+  projectPlaces(places, count, lens, grid, block);
   lightPlaces(lights, count, block);
 }
 
@@ -334,16 +381,16 @@ HWY_EXPORT(listVectors);
 HWY_EXPORT(locateVectors);
 HWY_EXPORT(projectVectors);
 
-void locateBlock(const BlockPlaces& places, int count, const Camera& camera, const TileGrid& grid,
-  BlockTiles& tiles)
+void locateBlock(
+  const BlockPlaces& places, int count, const Lens& lens, const TileGrid& grid, BlockTiles& tiles)
 {
-  HWY_DYNAMIC_DISPATCH(locateVectors)(places, count, camera, grid, tiles);
+  HWY_DYNAMIC_DISPATCH(locateVectors)(places, count, lens, grid, tiles);
 }
 
-void projectBlock(const BlockPlaces& places, const BlockLights& lights, int count,
-  const Camera& camera, const TileGrid& grid, SplatBlock& block)
+void projectBlock(const BlockPlaces& places, const BlockLights& lights, int count, const Lens& lens,
+  const TileGrid& grid, SplatBlock& block)
 {
-  HWY_DYNAMIC_DISPATCH(projectVectors)(places, lights, count, camera, grid, block);
+  HWY_DYNAMIC_DISPATCH(projectVectors)(places, lights, count, lens, grid, block);
 }
 
 int listInTiles(const std::uint32_t* home, int count, const TileSpan& span, std::uint32_t* which)

@@ -1,7 +1,6 @@
 #ifndef galaxy_SplatBlock_h
 #define galaxy_SplatBlock_h
 
-#include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/Projection.h"
 
 #include <cstdint>
@@ -103,17 +102,17 @@ struct SplatBlock
   // What is known before the light is.
   std::uint32_t where[most];
   float x[most], y[most], h[most];
-  float perArea[most];     ///< 1 / (pixel area there, kpc^2)
+  float perArea[most];     ///< 1 / (pixel area there, kpc^2), whose h the kernel keeps
   std::int32_t near[most]; ///< all bits for a NearParticle
 };
 
 /// Both project `count` particles by vectors, in double precision, since a camera may be
 /// megaparsecs from the origin. Where BlockTiles::home is nowhere or invalid the rest means
 /// nothing.
-void locateBlock(const BlockPlaces& places, int count, const Camera& camera, const TileGrid& grid,
-  BlockTiles& tiles);
-void projectBlock(const BlockPlaces& places, const BlockLights& lights, int count,
-  const Camera& camera, const TileGrid& grid, SplatBlock& block);
+void locateBlock(
+  const BlockPlaces& places, int count, const Lens& lens, const TileGrid& grid, BlockTiles& tiles);
+void projectBlock(const BlockPlaces& places, const BlockLights& lights, int count, const Lens& lens,
+  const TileGrid& grid, SplatBlock& block);
 
 /// The tiles from `first` to one before `end` of a grid.
 struct TileSpan

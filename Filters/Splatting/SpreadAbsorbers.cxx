@@ -150,7 +150,7 @@ ParticleView SpreadAbsorbers::of(const ParticleView& particles, const Camera& ca
   }
   ParticleView single = particles;
   single.weight = 1;
-  const Projection projection(single, camera);
+  const Projection projection(single, { camera, kernel });
   const double sigmas = NearParticle::sigmas(kernel);
   this->arrays.smoothingLength.resize(particles.size);
   this->arrays.emission.resize(3 * particles.size);

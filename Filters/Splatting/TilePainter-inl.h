@@ -214,7 +214,7 @@ private:
   HWY_NOINLINE void drawNear(const Splat& splat)
   {
     const Projection& projection = *this->task.projection;
-    const Camera& camera = projection.seenBy();
+    const Camera& camera = projection.lens().camera();
     if (!this->near.hasTile())
     {
       this->near.setTile(camera, this->task.left, this->task.bottom);
@@ -223,7 +223,7 @@ private:
     const SlabLight light = projection.lightOf(splat);
     const bool onlyEmits = planes == 0 || mostOf(light.t) == 0;
     const double sigma = camera.scale * NearParticle::sigmas(this->task.kernel);
-    const NearParticle particle = projection.near(splat, this->task.kernel);
+    const NearParticle particle = projection.near(splat);
     if (!(onlyEmits ? this->near.template prepare<false>(particle, sigma)
                     : this->near.template prepare<true>(particle, sigma)))
     {

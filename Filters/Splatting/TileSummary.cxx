@@ -19,7 +19,7 @@ float mostOfAPixel(const TileTask& task, const Splat& splat)
   const float h = splat.h;
   if (splat.kind() == SplatKind::Near)
   {
-    return nearMostOfAPixel(kernel, task.projection->seenBy());
+    return nearMostOfAPixel(kernel, task.projection->lens().camera());
   }
   return kernel == Kernel::Gaussian ? gaussianMostOfAPixel(3 / h) : splineMostOfAPixel(h);
 }

@@ -62,7 +62,7 @@ public:
       {
         this->places.set(k, this->dealer.projection.position(i + k), radius[k]);
       }
-      locateBlock(this->places, size, this->dealer.camera, this->dealer.tiles, *tiles);
+      locateBlock(this->places, size, this->dealer.projection.lens(), this->dealer.tiles, *tiles);
       for (int k = 0; k < size; ++k)
       {
         home[i + k] = this->countOne(i + k, *tiles, k, counts, depths, absent);
@@ -127,8 +127,8 @@ private:
       this->places.set(k, projection.position(i + j), radius[j]);
     }
     projection.light(i, list.which, list.count, this->lights);
-    projectBlock(this->places, this->lights, list.count, this->dealer.camera, this->dealer.tiles,
-      *this->block);
+    projectBlock(
+      this->places, this->lights, list.count, projection.lens(), this->dealer.tiles, *this->block);
     for (int k = 0; k < list.count; ++k)
     {
       const std::uint32_t home = this->block->tiles.home[k];
@@ -230,11 +230,10 @@ private:
   std::size_t tally[fates] = {}; ///< particles by fate
 };
 
-TileDealer::TileDealer(const Projection& projection_, const Camera& camera_, RenderMemory& memory_,
-  WorkProgress& progress_)
+TileDealer::TileDealer(
+  const Projection& projection_, RenderMemory& memory_, WorkProgress& progress_)
   : projection(projection_)
-  , camera(camera_)
-  , tiles(camera_.width, camera_.height)
+  , tiles(projection_.lens().camera().width, projection_.lens().camera().height)
   , memory(memory_)
   , progress(progress_)
   , counts(omp_get_max_threads(), std::vector<std::uint32_t>(this->tiles.size()))

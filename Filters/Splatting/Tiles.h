@@ -2,7 +2,6 @@
 #define galaxy_Tiles_h
 
 #include "Filters/Model/WorkProgress.h"
-#include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/Projection.h"
 #include "Filters/Splatting/Splat.h"
 #include "Filters/Splatting/SplatMemory.h"
@@ -37,8 +36,7 @@ class TileDealer
 public:
   /// Projects every particle and counts the splats of every tile. Throws Error if there are more
   /// particles than 32 bits can number. Where the picture is aborted there are no bands.
-  TileDealer(const Projection& projection, const Camera& camera, RenderMemory& memory,
-    WorkProgress& progress);
+  TileDealer(const Projection& projection, RenderMemory& memory, WorkProgress& progress);
 
   /// How many bands the tiles make, so many that the splats of each fit into memory: with the home
   /// of every particle 16 bytes for each of them, and no less than 64 MB.
@@ -60,7 +58,6 @@ private:
   void cutIntoBands();
 
   const Projection& projection;
-  Camera camera;
   TileGrid tiles;
   RenderMemory& memory;
   WorkProgress& progress;
