@@ -8,6 +8,7 @@
 #include "Filters/PictureData.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/PropertyChecks.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -135,7 +136,7 @@ void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
   SeedData data = toSeeds(input);
   change(data.description());
   BuildOptions options;
-  options.seed = static_cast<std::uint64_t>(randomSeed);
+  options.seed = seedOf(randomSeed);
   options.velocities = velocities;
   options.progress = progress;
   toPolyData(buildFromSeeds(data.galaxy, data.component, data.seeds, options), output);

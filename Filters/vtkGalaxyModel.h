@@ -46,8 +46,8 @@ public:
   vtkGetMacro(ViewPixel, double);
   ///@}
   ///@{
-  /// Seeds, particles, light and seconds by component of the last execution: in words, and as a
-  /// JSON list with the seconds by stage.
+  /// Seeds, particles, light, seconds and images by component of the last execution: in words, and
+  /// as a JSON list with the seconds by stage.
   const char* GetReport() { return this->Report.c_str(); }
   const char* GetReportJSON() { return this->ReportJSON.c_str(); }
   ///@}

@@ -183,7 +183,10 @@ private:
     this->report.components[index].dark = countPixels(this->input, component);
     this->store.prepare(component);
     seconds.images += this->proceed();
-    std::optional<LightMap> map = this->store.lightOf(component, this->outerRadius(component));
+    double beyond = 0;
+    std::optional<LightMap> map =
+      this->store.lightOf(component, this->outerRadius(component), builds ? &beyond : nullptr);
+    this->report.components[index].images = this->store.reportOf(component);
     seconds.light += this->proceed();
     std::optional<double> light; // before any is taken
     for (std::size_t k = 0; k < this->galaxy.components.size(); ++k)
@@ -200,7 +203,7 @@ private:
         }
       }
     }
-    this->report.components[index].flux = map->totalFlux() * lightFactor(component);
+    this->report.components[index].flux = (map->totalFlux() + beyond) * lightFactor(component);
     return map;
   }
 

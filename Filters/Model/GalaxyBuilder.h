@@ -2,6 +2,7 @@
 #define galaxy_GalaxyBuilder_h
 
 #include "Filters/Model/BuildOptions.h"
+#include "Filters/Model/ImageReport.h"
 #include "Filters/Model/Particles.h"
 #include "Filters/Model/PixelCount.h"
 #include "Filters/Model/Seeds.h"
@@ -36,11 +37,12 @@ struct ComponentReport
   std::size_t seedsDrawn = 0; ///< 0 for spheroids
   std::size_t seedsKept = 0;
   std::size_t particles = 0;
-  std::size_t filled = 0; ///< of them, those added for pixels that no other fell on
-  PixelCount dark;        ///< of its images, whole, as read
-  int bins = 1;           ///< pixels of the images along a side of those that are kept exactly
-  double flux = 0;  ///< of its images within its radius (a square), less what spheroids take, kpc^2
-  double light = 0; ///< that the particles carry; the rest lies off the disc
+  std::size_t filled = 0;          ///< of them, those added for pixels that no other fell on
+  PixelCount dark;                 ///< of its images, whole, as read
+  std::vector<ImageReport> images; ///< in the order of its layers
+  int bins = 1;               ///< pixels of the images along a side of those that are kept exactly
+  double flux = 0;            ///< of its images, whole, less what spheroids take, kpc^2
+  double light = 0;           ///< that the particles carry; the rest lies off the disc
   double smoothingLength = 0; ///< kpc, mean
   StageSeconds seconds;
 };

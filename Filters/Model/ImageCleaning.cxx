@@ -10,10 +10,9 @@
 
 namespace galaxy
 {
-std::vector<float> cleanedValues(const Image& image, const ImageDescription& description)
+std::vector<float> cleanedValues(
+  const Image& image, const ImageDescription& description, double background)
 {
-  const double background =
-    description.automaticBackground ? borderBackground(image) : description.background;
   std::vector<float> values(image.values.size());
   std::transform(image.values.begin(), image.values.end(), values.begin(),
     [background](double value) { return static_cast<float>(value - background); });
@@ -29,14 +28,22 @@ std::vector<float> cleanedValues(const Image& image, const ImageDescription& des
   return values;
 }
 
+SkyGrid gridOf(const Image& image, const ImageDescription& description)
+{
+  return { std::make_shared<const WorldCoordinates>(coordinatesOf(image, description)), image.width,
+    image.height };
+}
+
 CleanImage cleanedImage(const Image& image, const ImageDescription& description)
 {
   CleanImage clean;
-  clean.grid.coordinates =
-    std::make_shared<const WorldCoordinates>(coordinatesOf(image, description));
-  clean.grid.width = image.width;
-  clean.grid.height = image.height;
-  clean.values = cleanedValues(image, description);
+  clean.grid = gridOf(image, description);
+  clean.sky = skyOf(image);
+  if (!description.automaticBackground)
+  {
+    clean.sky.level = description.background;
+  }
+  clean.values = cleanedValues(image, description, clean.sky.level);
   return clean;
 }
 } // namespace galaxy

@@ -9,11 +9,15 @@
 
 namespace galaxy
 {
-/// The image's values less its background, with bad pixels and then foreground stars filled from
+/// The image's values less a background, with bad pixels and then foreground stars filled from
 /// their surroundings, as the description asks.
-std::vector<float> cleanedValues(const Image& image, const ImageDescription& description);
+std::vector<float> cleanedValues(
+  const Image& image, const ImageDescription& description, double background);
 
-/// The same with its place on the sky. Throws Error where the image has no usable coordinates.
+/// Its pixels' place on the sky. Throws Error where the image has no usable coordinates.
+SkyGrid gridOf(const Image& image, const ImageDescription& description);
+
+/// Both, the background being what the description says or, where it leaves that to us, the sky's.
 CleanImage cleanedImage(const Image& image, const ImageDescription& description);
 } // namespace galaxy
 

@@ -14,12 +14,18 @@
 
 namespace galaxy
 {
+namespace
+{
+/// What images show farther than 10 degrees from the galaxy is not its light.
+constexpr double widest = 10 * 3.14159265358979323846 / 180;
+} // namespace
+
 ImageStore::ImageStore(const Galaxy& input, const TiltedDisk& disk, double radius)
   : galaxy(input.description)
   , images(input.images)
   , disk(disk)
   , sky(this->galaxy.centre, this->galaxy.distance)
-  , radius(radius)
+  , radius(std::max(radius, 1000 * this->galaxy.distance * std::tan(widest)))
 {
 }
 
@@ -31,20 +37,27 @@ void ImageStore::prepare(const ComponentDescription& component)
   }
 }
 
-LightMap ImageStore::lightOf(const ComponentDescription& component, double radius)
+LightMap ImageStore::lightOf(const ComponentDescription& component, double radius, double* beyond)
 {
   std::vector<SeedLayer> layers;
   for (const LayerDescription& layer : component.layers)
   {
     layers.push_back(this->layerOf(component, layer));
   }
-  return LightMap(layers, component, radius, this->galaxy.file, this->dereddeningOf(component));
+  const LightMap::ChangeColor change = this->dereddeningOf(component);
+  LightMap map(layers, component, radius, this->galaxy.file, change);
+  if (beyond)
+  {
+    *beyond = map.fluxBeyond(layers, change);
+  }
+  return map;
 }
 
 SeedLayer ImageStore::layerOf(const ComponentDescription& component, const LayerDescription& layer)
 {
   const SkyImage& image = this->prepared(layer.image);
   const IntensityScale scale(layer, image.values(), this->galaxy.file);
+  this->clips[&layer] = scale.clip();
   const SeedLayer made = { &image, [scale](double value, double, double) { return scale(value); },
     layer.threshold, layer.weight, layer.color };
   return component.role == ComponentRole::Absorbs &&
@@ -147,6 +160,25 @@ LightMap::ChangeColor ImageStore::dereddeningOf(const ComponentDescription& comp
   };
 }
 
+std::vector<ImageReport> ImageStore::reportOf(const ComponentDescription& component) const
+{
+  std::vector<ImageReport> reports;
+  const auto add = [&](const std::string& name) -> ImageReport& {
+    const auto sky = this->skies.find(name);
+    return reports.emplace_back(
+      ImageReport{ name, sky == this->skies.end() ? SkyLevel{} : sky->second, std::nullopt });
+  };
+  for (const LayerDescription& layer : component.layers)
+  {
+    for (const std::string& source : this->galaxy.images[this->indexOf(layer.image)].combine)
+    {
+      add(source);
+    }
+    add(layer.image).clip = this->clips.at(&layer);
+  }
+  return reports;
+}
+
 double ImageStore::beamOf(const ComponentDescription& component) const
 {
   double sharpest = std::numeric_limits<double>::infinity();
@@ -159,8 +191,8 @@ double ImageStore::beamOf(const ComponentDescription& component) const
       description = &this->galaxy.images[this->indexOf(description->combine.front())];
     }
     const Image& image = this->images[description - this->galaxy.images.data()];
-    const CleanImage clean = cleanedImage(image, *description);
-    sharpest = std::min(sharpest, resolutionOf(image, *description, clean.grid).beam);
+    const SkyGrid grid = gridOf(image, *description);
+    sharpest = std::min(sharpest, resolutionOf(image, *description, grid).beam);
   }
   constexpr double perRadian = 206264.80624709636;
   return sharpest / perRadian * 1000 * this->galaxy.distance;
@@ -177,6 +209,10 @@ const SkyImage& ImageStore::prepared(const std::string& name)
         ? cleanedImage(this->images[index], description)
         : this->combined(description),
       this->sky, this->radius);
+    if (description.combine.empty())
+    {
+      this->skies[name] = image->skyLevel();
+    }
   }
   return *image;
 }
@@ -199,7 +235,7 @@ std::size_t ImageStore::indexOf(const std::string& name) const
   return found - known.begin();
 }
 
-CleanImage ImageStore::combined(const ImageDescription& description) const
+CleanImage ImageStore::combined(const ImageDescription& description)
 {
   std::vector<CombineSource> sources;
   for (const std::string& name : description.combine)
@@ -208,6 +244,7 @@ CleanImage ImageStore::combined(const ImageDescription& description) const
     const Image& image = this->images[index];
     const ImageDescription& own = this->galaxy.images[index];
     CleanImage clean = cleanedImage(image, own);
+    this->skies[name] = clean.sky;
     const Resolution resolution = resolutionOf(image, own, clean.grid);
     sources.push_back({ name, std::move(clean), resolution });
   }

@@ -3,6 +3,7 @@
 
 #include "Filters/Model/CombineImages.h"
 #include "Filters/Model/DiskInverse.h"
+#include "Filters/Model/ImageReport.h"
 #include "Filters/Model/LightMap.h"
 #include "Filters/Model/OpticalDepth.h"
 #include "Filters/Model/RingGeometry.h"
@@ -22,19 +23,22 @@ namespace galaxy
 class ImageStore
 {
 public:
-  /// `radius`, kpc: nothing beyond it will be asked for.
+  /// `radius`, kpc: where the components end.
   ImageStore(const Galaxy& input, const TiltedDisk& disk, double radius);
 
   /// Prepares the images of a component.
   void prepare(const ComponentDescription& component);
   /// A component's light, or its optical depth in V where that is calibrated, within `radius` kpc.
-  LightMap lightOf(const ComponentDescription& component, double radius);
+  /// `beyond` gets the flux of what its images show outside.
+  LightMap lightOf(const ComponentDescription& component, double radius, double* beyond = nullptr);
+  /// What became of the images whose light a component has been asked for.
+  std::vector<ImageReport> reportOf(const ComponentDescription& component) const;
   /// The sharpest beam among a component's images, kpc.
   double beamOf(const ComponentDescription& component) const;
 
 private:
   const SkyImage& prepared(const std::string& name);
-  CleanImage combined(const ImageDescription& description) const;
+  CleanImage combined(const ImageDescription& description);
   std::size_t indexOf(const std::string& name) const;
   SeedLayer layerOf(const ComponentDescription& component, const LayerDescription& layer);
   SeedLayer calibratedLayerOf(
@@ -49,7 +53,10 @@ private:
   SkyFrame sky;
   double radius;
   std::map<std::string, std::unique_ptr<SkyImage>> skyImages;
+  std::map<std::string, SkyLevel> skies; ///< of the images that were read
+  std::map<const LayerDescription*, std::array<double, 2>> clips;
 };
+
 /// From a component's light map, or from its profile where it has no images, to what its particles
 /// carry: the optical depth of intensity 1 for absorbers that are not calibrated otherwise, else 1.
 /// (Of a profile, intensity and depth are across the disc, as FaceOn has it.)

@@ -22,6 +22,12 @@ public:
   /// 0 for NaN.
   double operator()(double value) const;
 
+  /// The values that become intensity 0 and 1; equal where the image is dark.
+  std::array<double, 2> clip() const
+  {
+    return { this->low, this->perUnit > 0 ? this->low + 1 / this->perUnit : this->low };
+  }
+
 private:
   void setClip(double lowest, double highest, const char* key, const LayerDescription& layer,
     const std::string& file);

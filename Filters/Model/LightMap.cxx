@@ -90,12 +90,17 @@ LightMap::LightMap(const std::vector<SeedLayer>& layers, const ComponentDescript
   double radius, const std::string& file, const ChangeColor& change)
   : absorbs(component.role == ComponentRole::Absorbs)
 {
-  this->chooseGrid(layers, radius, file, component.name);
+  this->chooseGrid(layers, radius);
+  if (!(static_cast<double>(this->columns) * this->rows <= 0x1p26))
+  {
+    throw Error(file, component.name,
+      "layers: its smallest pixels over all that its images show would be more than 67 million; "
+      "give the wide image a component of its own, or a smaller outer_radius");
+  }
   this->fill(layers, change);
 }
 
-void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius,
-  const std::string& file, const std::string& component)
+void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius)
 {
   const SkyImage& finest = finestOf(layers);
   PlaneBox box = unionOf(layers);
@@ -111,15 +116,9 @@ void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius,
     return;
   }
   const double width = pixels.right - pixels.left + 1, height = pixels.top - pixels.bottom + 1;
-  if (!(width * height <= 0x1p26))
-  {
-    throw Error(file, component,
-      "layers: its smallest pixels over all that its images show would be more than 67 million; "
-      "give the wide image a component of its own, or a smaller outer_radius");
-  }
   this->grid = finest.grid();
-  this->grid.width = this->columns = static_cast<int>(width);
-  this->grid.height = this->rows = static_cast<int>(height);
+  this->grid.width = this->columns = static_cast<int>(std::min(width, 0x1p30));
+  this->grid.height = this->rows = static_cast<int>(std::min(height, 0x1p30));
   this->grid.shift.x -= pixels.left - 1;
   this->grid.shift.y -= pixels.bottom - 1;
   this->frame = finest.skyFrame();
@@ -172,37 +171,73 @@ Color LightMap::colorAt(const std::vector<SeedLayer>& layers, const std::vector<
   return color;
 }
 
+std::vector<bool> LightMap::coarseOnes(const std::vector<SeedLayer>& layers) const
+{
+  std::vector<bool> isCoarse;
+  for (const SeedLayer& layer : layers)
+  {
+    isCoarse.push_back(layer.image->pixelSide() > coarse * this->side);
+  }
+  return isCoarse;
+}
+
+LightMap::Lit LightMap::litAt(const std::vector<SeedLayer>& layers,
+  const std::vector<bool>& isCoarse, const ChangeColor& change, int column, int row) const
+{
+  const PixelPosition at = this->toPlane.at(column + 1, row + 1);
+  double total;
+  Color color = this->colorAt(layers, isCoarse, at.x, at.y, total);
+  if (change && total > 0)
+  {
+    change(at.x, at.y, color);
+  }
+  const ShownColor shown = shownColor(color);
+  const double intensity = this->absorbs ? total : shown.intensity;
+  const double flux = intensity * this->areas.at(column + 1, row + 1).x;
+  return { intensity, flux > 0 && std::isfinite(flux) ? flux : 0, shown.ratios };
+}
+
 void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& change)
 {
   const std::size_t pixels = static_cast<std::size_t>(this->columns) * this->rows;
   this->fluxes.assign(pixels, 0);
   this->intensities.assign(pixels, 0);
   this->colors.assign(3 * pixels, 0);
-  std::vector<bool> isCoarse;
-  for (const SeedLayer& layer : layers)
-  {
-    isCoarse.push_back(layer.image->pixelSide() > coarse * this->side);
-  }
-  parallelForDynamic<std::size_t>(0, pixels, 4096, [&](std::size_t pixel) {
-    const auto p = static_cast<std::uint32_t>(pixel);
-    const PixelPosition at = this->pointIn(p, 0.5, 0.5);
-    double total;
-    Color color = this->colorAt(layers, isCoarse, at.x, at.y, total);
-    if (change && total > 0)
+  const std::vector<bool> isCoarse = this->coarseOnes(layers);
+  parallelForDynamic(std::size_t(0), pixels, 4096, [&](std::size_t pixel) {
+    const Lit lit = this->litAt(layers, isCoarse, change, static_cast<int>(pixel % this->columns),
+      static_cast<int>(pixel / this->columns));
+    if (lit.flux > 0)
     {
-      change(at.x, at.y, color);
-    }
-    const ShownColor shown = shownColor(color);
-    const double intensity = this->absorbs ? total : shown.intensity;
-    const double flux =
-      intensity * this->areas.at(1 + pixel % this->columns, 1 + pixel / this->columns).x;
-    if (flux > 0 && std::isfinite(flux))
-    {
-      this->intensities[p] = static_cast<float>(intensity);
-      this->fluxes[p] = static_cast<float>(flux);
-      std::copy(shown.ratios.begin(), shown.ratios.end(), &this->colors[3 * pixel]);
+      this->intensities[pixel] = static_cast<float>(lit.intensity);
+      this->fluxes[pixel] = static_cast<float>(lit.flux);
+      std::copy(lit.ratios.begin(), lit.ratios.end(), &this->colors[3 * pixel]);
     }
   });
+}
+
+double LightMap::fluxBeyond(const std::vector<SeedLayer>& layers, const ChangeColor& change) const
+{
+  LightMap all(this->absorbs);
+  all.chooseGrid(layers, std::numeric_limits<double>::infinity());
+  const double size = static_cast<double>(all.columns) * all.rows;
+  const int stride = std::max(1, static_cast<int>(std::ceil(std::sqrt(size / 0x1p24))));
+  const auto left = static_cast<int>(std::lround(all.grid.shift.x - this->grid.shift.x));
+  const auto bottom = static_cast<int>(std::lround(all.grid.shift.y - this->grid.shift.y));
+  const std::vector<bool> isCoarse = all.coarseOnes(layers);
+  std::vector<double> ofRow((all.rows + stride - 1) / stride);
+  parallelForDynamic(std::size_t(0), ofRow.size(), 16, [&](std::size_t k) {
+    const int row = static_cast<int>(k) * stride;
+    const bool crosses = row >= bottom && row < bottom + this->rows;
+    for (int column = 0; column < all.columns; column += stride)
+    {
+      if (!(crosses && column >= left && column < left + this->columns))
+      {
+        ofRow[k] += all.litAt(layers, isCoarse, change, column, row).flux;
+      }
+    }
+  });
+  return std::accumulate(ofRow.begin(), ofRow.end(), 0.0) * stride * stride;
 }
 
 double LightMap::totalFlux() const

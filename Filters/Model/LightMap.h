@@ -71,6 +71,9 @@ public:
   const std::uint8_t* color(std::uint32_t pixel) const { return &this->colors[3 * pixel]; }
   /// The flux of all pixels.
   double totalFlux() const;
+  /// The flux of what the layers, of which the map was made, show beyond it: of its pixels, went it
+  /// on, of every n-th along both axes where they would be more than 2^24.
+  double fluxBeyond(const std::vector<SeedLayer>& layers, const ChangeColor& change = {}) const;
   /// The flux of those whose middle shows the disc.
   double fluxOn(const DiskInverse& disk) const;
   /// Whether a pixel has light and its middle shows the disc.
@@ -88,9 +91,23 @@ public:
   void halve();
 
 private:
-  void chooseGrid(const std::vector<SeedLayer>& layers, double radius, const std::string& file,
-    const std::string& component);
+  /// A pixel as its light is.
+  struct Lit
+  {
+    double intensity;
+    double flux; ///< 0 where it is none
+    std::array<std::uint8_t, 3> ratios;
+  };
+
+  explicit LightMap(bool absorbs)
+    : absorbs(absorbs)
+  {
+  }
+  void chooseGrid(const std::vector<SeedLayer>& layers, double radius);
   void fill(const std::vector<SeedLayer>& layers, const ChangeColor& change);
+  Lit litAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse,
+    const ChangeColor& change, int column, int row) const;
+  std::vector<bool> coarseOnes(const std::vector<SeedLayer>& layers) const;
   Color colorAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse, double x,
     double y, double& total) const;
 

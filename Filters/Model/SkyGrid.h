@@ -1,6 +1,7 @@
 #ifndef galaxy_SkyGrid_h
 #define galaxy_SkyGrid_h
 
+#include "Filters/Model/Background.h"
 #include "Readers/Formats/WorldCoordinates.h"
 
 #include <memory>
@@ -41,6 +42,7 @@ struct CleanImage
 {
   SkyGrid grid;
   std::vector<float> values; ///< x fastest; NaN where blank
+  SkyLevel sky;              ///< what was taken off, and how the empty sky's pixels scatter
 };
 } // namespace galaxy
 

@@ -54,6 +54,7 @@ public:
   /// The prepared values, axis 1 fastest.
   const std::vector<float>& values() const { return this->image.values; }
   const SkyGrid& grid() const { return this->image.grid; }
+  const SkyLevel& skyLevel() const { return this->image.sky; }
   const SkyFrame& skyFrame() const { return this->frame; }
   /// The box about the image in (X, Y) kpc, no larger than the radius it was made for.
   const PlaneBox& extent() const { return this->box; }

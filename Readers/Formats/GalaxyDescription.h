@@ -142,7 +142,7 @@ struct ImageDescription
   FitsSelection selection;
   bool suppliesCoordinates = false; ///< true where pixel_scale is given
   SuppliedCoordinates coordinates;  ///< in place of the header's WCS
-  bool automaticBackground = false; ///< background = "Auto": found in the border
+  bool automaticBackground = false; ///< background = "Auto": the sky's level
   double background = 0;            ///< subtracted, in the image's unit
   double maskStarsAbove = std::numeric_limits<double>::infinity(); ///< see mask_stars_above
   std::string mask;    ///< FITS file of bad pixels, relative; empty: none

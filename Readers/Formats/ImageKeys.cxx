@@ -231,7 +231,8 @@ const Keys<ImageDescription>& imageKeys()
     { "reference_pixel", "2 numbers, pixels from 1", "the image's middle",
       "The pixel at ra and dec, with pixel_scale.", readReferencePixel },
     { "background", "number in the image's unit, or \"Auto\"", "0",
-      "Subtracted; Auto finds the sky's in the border.", readBackground },
+      "Subtracted; Auto finds the sky's, whatever margins, stars or gradient there are.",
+      readBackground },
     withDefault(numberKey<I>("mask_stars_above", &I::maskStarsAbove, Range::positive(), "",
                   "Foreground stars that stand out by more than this are replaced by their "
                   "surroundings."),

@@ -80,18 +80,18 @@ struct Sky
 TEST(Background, IsTheSkysUnderStarsAndGalaxies)
 {
   // sigma is 5; the disc fills a growing part of the frame.
-  EXPECT_NEAR(borderBackground(syntheticSky(300, 1, 1, 0)), 100, 0.5);
-  EXPECT_NEAR(borderBackground(syntheticSky(300, 20, 0.9, 100)), 100, 1.5);
-  EXPECT_NEAR(borderBackground(syntheticSky(300, 50, 0.3, 100)), 100, 2);
-  EXPECT_NEAR(borderBackground(syntheticSky(300, 80, 0.25, 0)), 100, 2);
+  EXPECT_NEAR(skyOf(syntheticSky(300, 1, 1, 0)).level, 100, 0.5);
+  EXPECT_NEAR(skyOf(syntheticSky(300, 20, 0.9, 100)).level, 100, 1.5);
+  EXPECT_NEAR(skyOf(syntheticSky(300, 50, 0.3, 100)).level, 100, 2);
+  EXPECT_NEAR(skyOf(syntheticSky(300, 80, 0.25, 0)).level, 100, 2);
   // No sky is left in the frame: no more than the least of the disc there, exp(-3.2), and its
   // slope.
-  EXPECT_NEAR(borderBackground(syntheticSky(300, 50, 0.9, 0)), 110, 25);
+  EXPECT_NEAR(skyOf(syntheticSky(300, 50, 0.9, 0)).level, 110, 25);
   Image blank = syntheticSky(20, 1, 1, 0);
   std::fill(blank.values.begin(), blank.values.end(), std::nan(""));
-  EXPECT_EQ(borderBackground(blank), 0);
+  EXPECT_EQ(skyOf(blank).level, 0);
   blank.values[3] = 7;
-  EXPECT_EQ(borderBackground(blank), 7);
+  EXPECT_EQ(skyOf(blank).level, 7);
 }
 
 TEST(HoleFilling, ContinuesAGradient)
@@ -177,11 +177,10 @@ TEST(ImageCleaning, MarkedPixelsAreFilled)
   Image image = syntheticSky(60, 1, 1, 0);
   image.values[20 * 60 + 20] = 1e5;
   ImageDescription description;
-  description.background = 100;
-  EXPECT_GT(cleanedValues(image, description)[20 * 60 + 20], 9e4);
+  EXPECT_GT(cleanedValues(image, description, 100)[20 * 60 + 20], 9e4);
   image.bad.assign(3600, 0);
   image.bad[20 * 60 + 20] = 1;
-  EXPECT_NEAR(cleanedValues(image, description)[20 * 60 + 20], 0, 10);
+  EXPECT_NEAR(cleanedValues(image, description, 100)[20 * 60 + 20], 0, 10);
 }
 
 TEST(IntensityScale, ClipsByPercentile)

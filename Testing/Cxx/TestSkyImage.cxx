@@ -131,11 +131,11 @@ TEST(SkyImage, BackgroundAndStarsAreTakenOut)
   picture.values[3 * 100 + 3] = 1e6; // a star in the border
   picture.values[50 * 100 + 50] = 200;
   picture.values[20 * 100 + 99] = std::nan("");
-  EXPECT_NEAR(borderBackground(picture), 5, 0.05);
+  EXPECT_NEAR(skyOf(picture).level, 5, 0.05);
   ImageDescription description = pictureDescription("picture", 10);
   description.automaticBackground = true;
   description.maskStarsAbove = 100;
-  const std::vector<float> values = cleanedValues(picture, description);
+  const std::vector<float> values = cleanedImage(picture, description).values;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     if (i != 20 * 100 + 99)

@@ -1,0 +1,130 @@
+#include "Filters/ModelReport.h"
+
+#include "Filters/Model/GalaxyBuilder.h"
+
+#include "vtk_nlohmannjson.h"
+#include VTK_NLOHMANN_JSON(json.hpp)
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace galaxy
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+/// A name on one line: what is no print is blank.
+std::string printed(std::string name)
+{
+  const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  std::replace_if(name.begin(), name.end(), isControl, ' ');
+  return name;
+}
+
+void addImage(const ImageReport& image, std::ostream& text)
+{
+  text << "  image " << printed(image.name) << ": background " << image.sky.level << ", scatter "
+       << image.sky.scatter;
+  if (image.clip)
+  {
+    text << ", clip " << (*image.clip)[0] << " to " << (*image.clip)[1] << " over the background";
+  }
+  text << "\n";
+}
+
+Json toJson(const ImageReport& image)
+{
+  Json json = { { "image", image.name }, { "background", image.sky.level },
+    { "scatter", image.sky.scatter } };
+  json["clip"] = image.clip ? Json(*image.clip) : Json();
+  return json;
+}
+
+Json toJson(const StageSeconds& seconds)
+{
+  return { { "images", seconds.images }, { "light", seconds.light }, { "seeds", seconds.seeds },
+    { "thickness", seconds.thickness }, { "photometry", seconds.photometry },
+    { "smoothing", seconds.smoothing } };
+}
+
+Json toJson(const ComponentReport& component)
+{
+  Json json = { { "component", component.name }, { "seeds_drawn", component.seedsDrawn },
+    { "seeds_kept", component.seedsKept }, { "particles", component.particles },
+    { "filled", component.filled }, { "blank_pixels", component.dark.blank },
+    { "negative_pixels", component.dark.negative }, { "bins", component.bins },
+    { "flux", component.flux }, { "light", component.light },
+    { "smoothing_length", component.smoothingLength } };
+  json["images"] = Json::array();
+  for (const ImageReport& image : component.images)
+  {
+    json["images"].push_back(toJson(image));
+  }
+  json["seconds"] = toJson(component.seconds);
+  return json;
+}
+} // namespace
+
+std::string inWords(const BuildReport& report)
+{
+  std::ostringstream text;
+  for (const ComponentReport& component : report.components)
+  {
+    text << std::fixed << std::setprecision(2) << printed(component.name) << ": " << component.particles
+         << " particles of h = " << component.smoothingLength << " kpc";
+    if (component.seedsDrawn > 0)
+    {
+      text << " from " << component.seedsKept << " of " << component.seedsDrawn << " seeds";
+    }
+    if (component.flux > 0)
+    {
+      text << "; " << std::setprecision(1) << 100 * component.light / component.flux
+           << " % of its images' light lies on the disc" << std::setprecision(2);
+    }
+    if (component.dark.blank + component.dark.negative > 0)
+    {
+      text << "; of the pixels of its images " << component.dark.blank << " are blank and "
+           << component.dark.negative << " negative";
+    }
+    if (component.bins > 1)
+    {
+      text << "; so few seeds that pixels were joined " << component.bins << " x "
+           << component.bins;
+    }
+    text << "; " << component.seconds.total() << " s\n"
+         << std::defaultfloat << std::setprecision(5);
+    for (const ImageReport& image : component.images)
+    {
+      addImage(image, text);
+    }
+  }
+  return text.str();
+}
+
+std::string asJSON(const BuildReport& report)
+{
+  Json list = Json::array();
+  for (const ComponentReport& component : report.components)
+  {
+    list.push_back(toJson(component));
+  }
+  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string darkOnes(const BuildReport& report, bool haveSeeds)
+{
+  std::string names;
+  for (const ComponentReport& component : report.components)
+  {
+    const bool isMissed =
+      haveSeeds ? component.seedsDrawn > 0 : component.seedsDrawn == 0 && component.flux > 0;
+    if (isMissed && component.particles == 0)
+    {
+      names += (names.empty() ? "" : ", ") + printed(component.name);
+    }
+  }
+  return names;
+}
+} // namespace galaxy
