@@ -1,7 +1,7 @@
 #include "Readers/Formats/BadPixels.h"
 
 #include "Readers/Formats/Error.h"
-#include "Readers/Formats/HeaderCards.h"
+#include "Readers/Formats/FitsHeader.h"
 #include "Readers/Formats/PixelLattice.h"
 #include "Readers/Formats/RegionList.h"
 
@@ -121,10 +121,9 @@ void applyRegions(const std::string& file, const ImageDescription& description, 
   }
   RegionCanvas canvas;
   canvas.coordinates = coordinates ? &*coordinates : nullptr;
-  canvas.shift = { cardNumber(image.cards, "LTV1").value_or(0),
-    cardNumber(image.cards, "LTV2").value_or(0) };
-  canvas.scale = { cardNumber(image.cards, "LTM1_1").value_or(1),
-    cardNumber(image.cards, "LTM2_2").value_or(1) };
+  const FitsHeader header(image.cards);
+  canvas.shift = { header.number("LTV1").value_or(0), header.number("LTV2").value_or(0) };
+  canvas.scale = { header.number("LTM1_1").value_or(1), header.number("LTM2_2").value_or(1) };
   std::vector<PixelRegion> regions = parseRegions(readText(file), file, canvas);
   // What is excluded stays good wherever its line stands.
   std::stable_partition(

@@ -1,6 +1,6 @@
 #include "Readers/Formats/Beam.h"
 
-#include "Readers/Formats/HeaderCards.h"
+#include "Readers/Formats/FitsHeader.h"
 
 #include <fitsio.h>
 
@@ -121,9 +121,10 @@ double Beam::solidAngle() const
 
 std::optional<Beam> beamOf(const Image& image)
 {
-  const double major = cardNumber(image.cards, "BMAJ").value_or(0);
-  const auto beam = fromDegrees(major, cardNumber(image.cards, "BMIN").value_or(major),
-    cardNumber(image.cards, "BPA").value_or(0));
+  const FitsHeader header(image.cards);
+  const double major = header.number("BMAJ").value_or(0);
+  const auto beam =
+    fromDegrees(major, header.number("BMIN").value_or(major), header.number("BPA").value_or(0));
   if (beam)
   {
     return beam;

@@ -1,101 +1,59 @@
 #include "Readers/Formats/CoordinateCards.h"
 
-#include "Readers/Formats/FitsHeader.h"
-#include "Readers/Formats/HeaderCards.h"
-
-#include <cmath>
-#include <cstdlib>
+#include "Readers/Formats/AxesCards.h"
+#include "Readers/Formats/PlateCards.h"
 
 namespace galaxy
 {
 namespace
 {
-constexpr std::size_t cardLength = FitsHeader::cardLength;
-
-bool startsWith(const std::string& card, const char* start)
+/// Of a keyword that stands twice the last counts, as in WCSLIB and astropy.
+FitsHeader lastFirst(const std::string& cards)
 {
-  return card.rfind(start, 0) == 0;
-}
-
-/// PV1_4 and the like.
-bool isAxisParameter(const std::string& card)
-{
-  return startsWith(card, "PV") && card[3] == '_';
-}
-
-/// Every card as `change` returns it.
-template <class Change>
-std::string changedCards(const std::string& cards, const Change& change)
-{
-  std::string changed;
-  for (std::size_t at = 0; at + cardLength <= cards.size(); at += cardLength)
+  constexpr std::size_t length = FitsHeader::cardLength;
+  FitsHeader header;
+  for (std::size_t end = cards.size() / length; end > 0; --end)
   {
-    changed += change(cards.substr(at, cardLength));
+    header.add(cards.substr((end - 1) * length, length));
   }
-  return changed;
+  return header;
 }
+
 } // namespace
 
-std::string repairedCoordinateCards(const std::string& cards)
+CoordinateCards::CoordinateCards(
+  const std::string& file, const std::string& cards, const std::array<int, 2>& axes)
+  : all(lastFirst(cards))
+  , file(file)
+  , axes(axes)
 {
-  const bool hasSip = !cardValue(cards, "A_ORDER").empty();
-  const bool hasPolynomials =
-    !cardValue(cards, "PV1_1").empty() && !cardValue(cards, "PV2_1").empty();
-  std::string repaired = changedCards(cards, [&](std::string card) {
-    if (startsWith(card, "CTYPE") || startsWith(card, "RADE"))
-    {
-      card = upperCase(card);
-      const std::size_t tangent = card.find("-TAN'");
-      if (hasPolynomials && !hasSip && tangent != std::string::npos)
-      {
-        card.replace(tangent, 5, "-TPV'");
-      }
-    }
-    return hasSip && isAxisParameter(card) ? "" : card;
-  });
-  for (const char axis : { '1', '2' })
+  for (char letter = 'A' - 1; letter <= 'Z'; ++letter)
   {
-    const std::string linear = std::string("PV") + axis + "_1";
-    if (cardValue(repaired, std::string("CTYPE") + axis).find("-TPV") != std::string::npos &&
-      cardValue(repaired, linear).empty())
+    const std::string version = letter < 'A' ? "" : std::string(1, letter);
+    const auto hasType = [&](int axis) {
+      return !this->all.text(fitsKeyword("CTYPE", axis) + version).value_or("").empty();
+    };
+    if (hasType(axes[0]) && hasType(axes[1]))
     {
-      std::string card = linear + "   = 1.0";
-      card.resize(cardLength, ' ');
-      repaired += card;
+      this->described.push_back(version);
     }
   }
-  return repaired;
 }
 
-bool epochIsPlateDate(const std::string& cards)
+std::string CoordinateCards::axesOf(const std::string& version) const
 {
-  const std::string epoch = cardValue(cards, "EPOCH");
-  if (epoch.empty() || !cardValue(cards, "EQUINOX").empty() ||
-    !cardValue(cards, "RADESYS").empty() || !cardValue(cards, "RADECSYS").empty())
-  {
-    return false;
-  }
-  const std::size_t digit = epoch.find_first_of("0123456789");
-  const double year = digit == std::string::npos ? 0 : std::atof(epoch.c_str() + digit);
-  return std::fmod(year, 25.0) != 0;
+  return AxesCards(this->file, this->all, this->axes, version).write();
 }
 
-bool hasPlateSolutionBesideAxes(const std::string& cards)
+std::string CoordinateCards::types() const
 {
-  return !cardValue(cards, "AMDX1").empty() && !cardValue(cards, "CTYPE1").empty();
+  const std::string x = this->all.text(fitsKeyword("CTYPE", this->axes[0])).value_or("");
+  const std::string y = this->all.text(fitsKeyword("CTYPE", this->axes[1])).value_or("");
+  return x.empty() && y.empty() ? "" : " (" + x + ", " + y + ")";
 }
 
-std::string withoutPlateSolution(const std::string& cards)
+std::string CoordinateCards::plate() const
 {
-  return changedCards(cards, [](const std::string& card) -> std::string {
-    for (const char* start : { "AMDX", "AMDY", "PLT", "PPO", "CNPIX", "XPIXELSZ", "YPIXELSZ" })
-    {
-      if (startsWith(card, start))
-      {
-        return "";
-      }
-    }
-    return card;
-  });
+  return this->axes == std::array<int, 2>{ 1, 2 } ? plateCards(this->all) : "";
 }
 } // namespace galaxy

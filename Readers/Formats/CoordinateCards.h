@@ -1,29 +1,53 @@
 #ifndef galaxy_CoordinateCards_h
 #define galaxy_CoordinateCards_h
 
-#include <string>
+#include "Readers/Formats/FitsHeader.h"
 
-// The cards of a FITS header that world coordinates are made of: what programs write, and what
-// WCSLIB reads.
+#include <array>
+#include <string>
+#include <vector>
 
 namespace galaxy
 {
-/// The same header as WCSLIB insists on it: CTYPE and RADESYS in capitals; the distortion that
-/// early SCAMP wrote on TAN axes named TPV, and taken out where SIP describes it as well (as
-/// astropy does); the terms of TPV that count as 1 where they are absent.
-std::string repairedCoordinateCards(const std::string& cards);
+/// The celestial coordinates in a header, as cards for WCSLIB. Its parser believes every keyword
+/// that it knows, and a legal card of another type, a stray one, or a text without its closing
+/// quote can end the program there. So nothing of the header reaches it but what is looked up here:
+/// the keywords of the image's two axes, each with a value of its type, written anew.
+///
+/// The axes are numbered 1 and 2 in what is written; the further ones of a cube stand at their
+/// first pixel, and what the matrix adds for them goes into the reference pixel. Distortions are
+/// SIP, where both orders are given; TPV, also under the name that early SCAMP gave it on TAN axes,
+/// and out of the way where SIP describes it as well (as astropy has it); IRAF's TNX and ZPX; the
+/// plate solution of the Digitized Sky Survey, where it is whole. HST's tables (LOOKUP) are left
+/// out where the header says that they move no place by more than a pixel.
+class CoordinateCards
+{
+public:
+  /// `cards` are the header's (Image::cards), `axes` the FITS axes, from 1, of the image's x and y.
+  CoordinateCards(
+    const std::string& file, const std::string& cards, const std::array<int, 2>& axes);
 
-/// The retired EPOCH keyword was used both for the equinox and for the date of the exposure. Beside
-/// EQUINOX or RADESYS it decides nothing; alone it is an equinox where it is one of those that
-/// coordinates were published for, a multiple of 25 years (1900, 1950, 1975, 2000), and otherwise a
-/// date, on a plate whose coordinates are then J2000.
-bool epochIsPlateDate(const std::string& cards);
+  /// The descriptions that name both axes: "", the primary one, and the letters of alternates.
+  const std::vector<std::string>& versions() const { return this->described; }
 
-/// Whether the header has the plate solution of the Digitized Sky Survey beside axes of its own.
-bool hasPlateSolutionBesideAxes(const std::string& cards);
+  /// Throws Error where a keyword of the description is no number, or a distortion is not known.
+  std::string axesOf(const std::string& version) const;
 
-/// The header without that plate solution.
-std::string withoutPlateSolution(const std::string& cards);
+  /// The plate solution; empty where it is not whole.
+  std::string plate() const;
+
+  /// What the header says the image's axes are, for messages: " (FREQ, DEC--TAN)"; empty where it
+  /// says nothing.
+  std::string types() const;
+
+  const FitsHeader& header() const { return this->all; }
+
+private:
+  FitsHeader all;
+  std::string file;
+  std::array<int, 2> axes;
+  std::vector<std::string> described;
+};
 } // namespace galaxy
 
 #endif

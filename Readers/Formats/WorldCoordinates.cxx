@@ -1,34 +1,33 @@
 #include "Readers/Formats/WorldCoordinates.h"
 
 #include "Readers/Formats/CelestialFrame.h"
+#include "Readers/Formats/ClassicLocale.h"
 #include "Readers/Formats/CoordinateCards.h"
 #include "Readers/Formats/Error.h"
-#include "Readers/Formats/HeaderCards.h"
+#include "Readers/Formats/HeaderFrame.h"
 
 #include <wcslib/wcs.h>
 #include <wcslib/wcsfix.h>
 #include <wcslib/wcshdr.h>
-#include <wcslib/wcsmath.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 
 namespace galaxy
 {
 namespace
 {
-constexpr std::size_t cardLength = 80;
-
 // WCSLIB's header parser and its fixes keep state between calls.
 std::mutex wcslibMutex;
 
-/// A wcsprm that frees what WCSLIB allocated for it.
+/// A wcsprm that frees what WCSLIB allocated for it. WCSLIB writes into it even when it only
+/// converts.
 struct Description
 {
-  wcsprm wcs;
+  mutable wcsprm wcs;
 
   Description() { this->wcs.flag = -1; }
   ~Description() { wcsfree(&this->wcs); }
@@ -36,117 +35,32 @@ struct Description
   Description& operator=(const Description&) = delete;
 };
 
-/// What wcspih found in a header: the primary and the alternate descriptions.
+/// What wcspih found in a header.
 struct HeaderDescriptions
 {
   int count = 0;
   wcsprm* all = nullptr;
+  int status = 0;
 
-  explicit HeaderDescriptions(std::string& cards)
+  explicit HeaderDescriptions(std::string cards)
   {
     int rejected = 0;
-    wcspih(cards.data(), static_cast<int>(cards.size() / cardLength), WCSHDR_all, 0, &rejected,
-      &this->count, &this->all);
+    this->status = wcspih(cards.data(), static_cast<int>(cards.size() / FitsHeader::cardLength),
+      WCSHDR_all, 0, &rejected, &this->count, &this->all);
   }
   ~HeaderDescriptions() { wcsvfree(&this->count, &this->all); }
   HeaderDescriptions(const HeaderDescriptions&) = delete;
   HeaderDescriptions& operator=(const HeaderDescriptions&) = delete;
 };
 
+/// A position in the header's own frame, and on the projection's own sphere.
+struct WorldPosition
+{
+  SkyPosition sky;
+  double phi = 0, theta = 0;
+};
+
 const std::string cure = "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file";
-
-/// After wcsset, which fills in RADESYS and the equinox as the FITS standard has it.
-CelestialFrame frameOf(const std::string& file, const wcsprm& wcs)
-{
-  const std::string longitude = wcs.lngtyp;
-  const std::string system = wcs.radesys;
-  if (longitude == "GLON")
-  {
-    return CelestialFrame::galactic();
-  }
-  if (longitude == "ELON")
-  {
-    return CelestialFrame::ecliptic(undefined(wcs.equinox) ? 2000 : wcs.equinox);
-  }
-  if (longitude != "RA")
-  {
-    throw Error(file, "CTYPE", "the celestial frame of " + longitude + " is not supported" + cure);
-  }
-  if (system == "ICRS")
-  {
-    return CelestialFrame::icrs();
-  }
-  if (system == "FK4")
-  {
-    return CelestialFrame::fk4(undefined(wcs.equinox) ? 1950 : wcs.equinox);
-  }
-  if (system == "FK4-NO-E")
-  {
-    return CelestialFrame::fk4WithoutETerms(undefined(wcs.equinox) ? 1950 : wcs.equinox);
-  }
-  if (system == "GAPPT")
-  {
-    throw Error(file, "RADESYS", "apparent places (GAPPT) are not supported" + cure);
-  }
-  return CelestialFrame::fk5(undefined(wcs.equinox) ? 2000 : wcs.equinox);
-}
-
-/// Fixes the axes that are not the image's at their first pixel: what the linear part adds for
-/// them goes into the reference pixel, so that the image's two axes stand alone.
-void fixOtherAxes(wcsprm& wcs, const std::array<int, 2>& axes)
-{
-  double* const m = (wcs.altlin & 3) == 2 ? wcs.cd : wcs.pc; // as wcsset prefers them
-  const auto at = [&](int row, int column) -> double& { return m[row * wcs.naxis + column]; };
-  const int x = axes[0] - 1, y = axes[1] - 1;
-  double shiftX = 0, shiftY = 0;
-  for (int other = 0; other < wcs.naxis; ++other)
-  {
-    if (other != x && other != y)
-    {
-      const double step = 1 - wcs.crpix[other];
-      shiftX += at(x, other) * step;
-      shiftY += at(y, other) * step;
-      at(x, other) = at(y, other) = at(other, x) = at(other, y) = 0;
-    }
-  }
-  const double determinant = at(x, x) * at(y, y) - at(x, y) * at(y, x);
-  if (determinant != 0)
-  {
-    wcs.crpix[x] -= (at(y, y) * shiftX - at(x, y) * shiftY) / determinant;
-    wcs.crpix[y] -= (at(x, x) * shiftY - at(y, x) * shiftX) / determinant;
-  }
-}
-
-/// The description of the image's two axes alone. Returns WCSLIB's status.
-int keepImageAxes(wcsprm& from, std::array<int, 2> axes, wcsprm& to)
-{
-  if (from.naxis <= 2)
-  {
-    return wcssub(1, &from, nullptr, nullptr, &to);
-  }
-  if (std::max(axes[0], axes[1]) > from.naxis)
-  {
-    return 0; // not described: no celestial axes
-  }
-  fixOtherAxes(from, axes);
-  int count = 2;
-  return wcssub(1, &from, &count, axes.data(), &to);
-}
-
-/// Sets up a description of two axes for use. Returns WCSLIB's status.
-int setUp(wcsprm& wcs, bool epochIsNoEquinox, int width, int height)
-{
-  // An equinox of 0 is what some programs write where they know none.
-  if (epochIsNoEquinox || wcs.equinox <= 0)
-  {
-    wcs.equinox = UNDEFINED;
-  }
-  const std::array<int, 2> size = { width, height };
-  std::array<int, NWCSFIX> fixes;
-  constexpr int translateUnits = 7;
-  wcsfix(translateUnits, size.data(), &wcs, fixes.data());
-  return wcsset(&wcs);
-}
 } // namespace
 
 struct WorldCoordinates::State
@@ -154,78 +68,133 @@ struct WorldCoordinates::State
   Description description;
   CelestialFrame frame = CelestialFrame::icrs();
 
-  void read(const std::string& file, const std::string& cards, int width, int height,
-    const std::array<int, 2>& axes);
+  /// Null where WCSLIB rejects the cards, saying why, or finds no celestial axes.
+  static std::unique_ptr<State> of(
+    const std::string& cards, int width, int height, std::string& rejection);
+  /// Null where the header has none.
+  static std::unique_ptr<State> ofPlate(
+    const std::string& file, const CoordinateCards& cards, int width, int height);
+  /// The first of the descriptions that has celestial axes. Throws Error where there is none.
+  static std::unique_ptr<State> ofAxes(
+    const std::string& file, const CoordinateCards& cards, int width, int height);
+
+  bool toWorld(const PixelPosition& pixel, WorldPosition& world) const;
+  bool toPixel(const SkyPosition& world, PixelPosition& pixel) const;
+  bool comesBack(const PixelPosition& pixel, const WorldPosition& world) const;
+  bool refines(const State& other, int width, int height) const;
 };
 
-void WorldCoordinates::State::read(const std::string& file, const std::string& cards, int width,
-  int height, const std::array<int, 2>& axes)
+std::unique_ptr<WorldCoordinates::State> WorldCoordinates::State::of(
+  const std::string& cards, int width, int height, std::string& rejection)
 {
   const std::lock_guard<std::mutex> lock(wcslibMutex);
-  std::string header = repairedCoordinateCards(cards);
-  const HeaderDescriptions found(header);
-  wcsprm& wcs = this->description.wcs;
-  std::string rejection;
-  for (int i = 0; i < found.count; ++i)
+  const ClassicLocale classic;
+  const HeaderDescriptions found(cards);
+  if (found.status != 0 || found.count == 0)
   {
-    wcsfree(&wcs);
-    wcs.flag = -1;
-    int status = keepImageAxes(found.all[i], axes, wcs);
-    if (status == 0 && wcs.flag != -1)
-    {
-      status = setUp(wcs, epochIsPlateDate(cards), width, height);
-    }
-    if (status == 0 && wcs.flag != -1 && wcs.lng >= 0 && wcs.lat >= 0)
-    {
-      this->frame = frameOf(file, wcs);
-      return;
-    }
-    if (status != 0 && rejection.empty())
-    {
-      rejection = std::string(" (WCSLIB: ") + wcs_errmsg[status] + ")";
-    }
+    rejection = found.status == 0 ? "no axes" : wcshdr_errmsg[found.status];
+    return nullptr;
   }
-  const std::string axis = "CTYPE" + std::to_string(axes[0]);
-  if (cardValue(header, axis).find("-TAB") != std::string::npos)
+  auto state = std::make_unique<State>();
+  wcsprm& wcs = state->description.wcs;
+  int status = wcssub(1, found.all, nullptr, nullptr, &wcs);
+  if (status == 0)
   {
-    throw Error(file, axis, "tabulated coordinates (-TAB) are not supported" + cure);
+    const std::array<int, 2> size = { width, height };
+    std::array<int, NWCSFIX> fixes;
+    constexpr int translateUnits = 7;
+    wcsfix(translateUnits, size.data(), &wcs, fixes.data());
+    status = wcsset(&wcs);
   }
-  throw Error(
-    file, "CTYPE", "the image axes have no usable celestial coordinates" + rejection + cure);
+  if (status != 0)
+  {
+    rejection = wcs_errmsg[status];
+  }
+  return status == 0 && wcs.lng >= 0 && wcs.lat >= 0 ? std::move(state) : nullptr;
 }
 
-WorldCoordinates::WorldCoordinates(const std::string& file, const std::string& cards, int width,
-  int height, const std::array<int, 2>& axes)
-  : state(std::make_unique<State>())
+std::unique_ptr<WorldCoordinates::State> WorldCoordinates::State::ofPlate(
+  const std::string& file, const CoordinateCards& cards, int width, int height)
 {
-  this->state->read(file, cards, width, height, axes);
-  if (hasPlateSolutionBesideAxes(cards))
+  const std::string plate = cards.plate();
+  std::string rejection;
+  std::unique_ptr<State> state = plate.empty() ? nullptr : of(plate, width, height, rejection);
+  if (state)
   {
-    WorldCoordinates own(file, withoutPlateSolution(cards), width, height, axes);
-    if (!this->refines(own, width, height))
+    state->frame = frameOfHeader(file, cards.header(), "", state->description.wcs.lngtyp);
+  }
+  return state;
+}
+
+std::unique_ptr<WorldCoordinates::State> WorldCoordinates::State::ofAxes(
+  const std::string& file, const CoordinateCards& cards, int width, int height)
+{
+  std::string rejection;
+  std::optional<Error> refusal;
+  for (const std::string& version : cards.versions())
+  {
+    try
     {
-      *this = std::move(own);
+      if (auto state = of(cards.axesOf(version), width, height, rejection))
+      {
+        state->frame = frameOfHeader(file, cards.header(), version, state->description.wcs.lngtyp);
+        return state;
+      }
+    }
+    catch (const Error& error)
+    {
+      refusal = refusal ? refusal : error;
     }
   }
+  if (refusal)
+  {
+    throw Error(*refusal);
+  }
+  throw Error(file, "CTYPE",
+    "the image axes" + cards.types() + " have no usable celestial coordinates" +
+      (rejection.empty() ? "" : " (WCSLIB: " + rejection + ")") + cure);
 }
 
 // Axes fitted to a plate solution follow it to half a pixel. Programs that cut, bin or turn the
 // image rewrite the axes and leave the plate's keywords as they were.
-bool WorldCoordinates::refines(const WorldCoordinates& other, int width, int height) const
+bool WorldCoordinates::State::refines(const State& other, int width, int height) const
 {
   constexpr double pixels = 3;
   for (const PixelPosition& corner : { PixelPosition{ 1, 1 }, { double(width), 1 },
          { 1, double(height) }, { double(width), double(height) } })
   {
-    SkyPosition sky;
+    WorldPosition world;
     PixelPosition back;
-    if (!other.pixelToSky(corner, sky) || !this->skyToPixel(sky, back) ||
+    if (!other.toWorld(corner, world) ||
+      !this->toPixel(this->frame.fromIcrs(other.frame.toIcrs(world.sky)), back) ||
       !(std::hypot(back.x - corner.x, back.y - corner.y) < pixels))
     {
       return false;
     }
   }
   return true;
+}
+
+WorldCoordinates::WorldCoordinates(const std::string& file, const std::string& cards, int width,
+  int height, const std::array<int, 2>& axes)
+{
+  const CoordinateCards found(file, cards, axes);
+  std::unique_ptr<State> plate = State::ofPlate(file, found, width, height);
+  try
+  {
+    this->state = State::ofAxes(file, found, width, height);
+  }
+  catch (const Error&)
+  {
+    if (!plate)
+    {
+      throw;
+    }
+  }
+  if (plate && (!this->state || plate->refines(*this->state, width, height)))
+  {
+    this->state = std::move(plate);
+  }
 }
 
 WorldCoordinates::WorldCoordinates(const SuppliedCoordinates& supplied, int width, int height)
@@ -265,47 +234,77 @@ WorldCoordinates::~WorldCoordinates() = default;
 WorldCoordinates::WorldCoordinates(WorldCoordinates&&) noexcept = default;
 WorldCoordinates& WorldCoordinates::operator=(WorldCoordinates&&) noexcept = default;
 
-bool WorldCoordinates::pixelToSky(const PixelPosition& pixel, SkyPosition& sky) const
+bool WorldCoordinates::State::toWorld(const PixelPosition& pixel, WorldPosition& world) const
 {
-  if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y))
+  wcsprm* const wcs = &this->description.wcs;
+  std::array<double, 2> pixels = { pixel.x, pixel.y };
+  std::array<double, 2> intermediate{}, worlds{};
+  const auto isFound = [&] {
+    int invalid = 0;
+    return wcsp2s(wcs, 1, 2, pixels.data(), intermediate.data(), &world.phi, &world.theta,
+             worlds.data(), &invalid) == 0 &&
+      invalid == 0;
+  };
+  bool found = isFound();
+  if (found && std::isnan(world.theta))
   {
-    return false;
+    // WCSLIB 7.12 divides 0 by 0 on the straight meridian of PCO.
+    constexpr double beside = 1e-7; // pixel
+    pixels = { pixel.x + beside, pixel.y + 2 * beside };
+    found = isFound();
   }
-  wcsprm& wcs = this->state->description.wcs;
-  const std::array<double, 2> pixels = { pixel.x, pixel.y };
-  std::array<double, 2> intermediate, world;
+  world.sky = { worlds[wcs->lng], worlds[wcs->lat] };
+  return found && std::isfinite(world.sky.ra) && std::fabs(world.sky.dec) <= 90;
+}
+
+bool WorldCoordinates::State::toPixel(const SkyPosition& world, PixelPosition& pixel) const
+{
+  wcsprm* const wcs = &this->description.wcs;
+  std::array<double, 2> worlds, intermediate, pixels;
+  worlds[wcs->lng] = world.ra;
+  worlds[wcs->lat] = world.dec;
   double phi, theta;
   int invalid = 0;
-  if (wcsp2s(&wcs, 1, 2, pixels.data(), intermediate.data(), &phi, &theta, world.data(),
+  if (wcss2p(wcs, 1, 2, worlds.data(), &phi, &theta, intermediate.data(), pixels.data(),
         &invalid) != 0 ||
     invalid != 0)
   {
     return false;
   }
-  sky = this->state->frame.toIcrs({ world[wcs.lng], world[wcs.lat] });
-  return true;
+  pixel = { pixels[0], pixels[1] };
+  return std::isfinite(pixel.x) && std::isfinite(pixel.y);
+}
+
+// A distortion that folds the image, or a projection beyond its own edge, puts a pixel somewhere
+// that is seen elsewhere. At a projection's seam and poles several pixels see one place rightly.
+bool WorldCoordinates::State::comesBack(
+  const PixelPosition& pixel, const WorldPosition& world) const
+{
+  constexpr double tiny = 1e-9; // degree
+  if (std::fabs(world.phi) > 180 - tiny || std::fabs(world.theta) > 90 - tiny)
+  {
+    return true;
+  }
+  constexpr double near = 0.1; // pixel; the cube's inverse is that good
+  PixelPosition back;
+  return this->toPixel(world.sky, back) && std::hypot(back.x - pixel.x, back.y - pixel.y) < near;
+}
+
+bool WorldCoordinates::pixelToSky(const PixelPosition& pixel, SkyPosition& sky) const
+{
+  WorldPosition world;
+  if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y) || !this->state->toWorld(pixel, world) ||
+    !this->state->comesBack(pixel, world))
+  {
+    return false;
+  }
+  sky = this->state->frame.toIcrs(world.sky);
+  return std::isfinite(sky.ra) && std::isfinite(sky.dec);
 }
 
 bool WorldCoordinates::skyToPixel(const SkyPosition& sky, PixelPosition& pixel) const
 {
-  if (!std::isfinite(sky.ra) || !std::isfinite(sky.dec) || std::fabs(sky.dec) > 90)
-  {
-    return false;
-  }
-  wcsprm& wcs = this->state->description.wcs;
-  const SkyPosition local = this->state->frame.fromIcrs(sky);
-  std::array<double, 2> world, intermediate, pixels;
-  world[wcs.lng] = local.ra;
-  world[wcs.lat] = local.dec;
-  double phi, theta;
-  int invalid = 0;
-  if (wcss2p(&wcs, 1, 2, world.data(), &phi, &theta, intermediate.data(), pixels.data(),
-        &invalid) != 0 ||
-    invalid != 0 || !std::isfinite(pixels[0]) || !std::isfinite(pixels[1]))
-  {
-    return false;
-  }
-  pixel = { pixels[0], pixels[1] };
-  return true;
+  return std::isfinite(sky.ra) && std::fabs(sky.dec) <= 90 &&
+    this->state->toPixel(this->state->frame.fromIcrs(sky), pixel);
 }
 } // namespace galaxy

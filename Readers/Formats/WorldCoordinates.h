@@ -32,11 +32,9 @@ struct SuppliedCoordinates
 };
 
 /// The celestial world coordinates of an image: pixel to sky and back through WCSLIB, for any
-/// projection and distortion (SIP, TPV, plates) it knows, brought to ICRS from FK5, FK4,
-/// Galactic and ecliptic axes. An equinox of 1950 without RADESYS is FK4, as the FITS standard has
-/// it; an EPOCH that is the date of a photographic plate rather than an equinox is passed over, and
-/// the header read as ICRS. The plate solution of a Digitized Sky Survey image counts where it
-/// agrees with the axes that the header may have beside it.
+/// projection it knows with the distortions of CoordinateCards, brought to ICRS from the frames of
+/// frameOfHeader. The plate solution of a Digitized Sky Survey image counts where it agrees with
+/// the axes that the header may have beside it.
 class WorldCoordinates
 {
 public:
@@ -52,15 +50,14 @@ public:
   WorldCoordinates(WorldCoordinates&&) noexcept;
   WorldCoordinates& operator=(WorldCoordinates&&) noexcept;
 
-  /// Each returns false where the projection has no such point. WCSLIB writes into its description
+  /// Each returns false where the projection has no such point; a place that is not seen in the
+  /// pixel that it was computed from is none. WCSLIB writes into its description
   /// even when it only converts: use one object in one thread at a time.
   bool pixelToSky(const PixelPosition& pixel, SkyPosition& sky) const;
   bool skyToPixel(const SkyPosition& sky, PixelPosition& pixel) const;
 
 private:
   struct State;
-
-  bool refines(const WorldCoordinates& other, int width, int height) const;
 
   std::unique_ptr<State> state;
 };
