@@ -9,6 +9,8 @@
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace galaxy
@@ -107,6 +109,29 @@ void setSkyPlace(const GalaxyDescription& galaxy, vtkDataObject* output)
   setFieldString(output, "GalaxyName", galaxy.name);
   setNumbers(output, "SkyCentre", { galaxy.centre.ra, galaxy.centre.dec });
   setNumbers(output, "SkyDistance", { 1000 * galaxy.distance });
+}
+
+std::string placesHint(const std::vector<vtkDataObject*>& together)
+{
+  std::vector<SkyPlace> places;
+  std::string names;
+  for (vtkDataObject* object : together)
+  {
+    const std::optional<SkyPlace> place = skyPlaceOf(object);
+    const auto isSame = [&place](const SkyPlace& other) {
+      return other.centre.ra == place->centre.ra && other.centre.dec == place->centre.dec &&
+        other.distance == place->distance;
+    };
+    if (place && std::none_of(places.begin(), places.end(), isSame))
+    {
+      names += (names.empty() ? "" : ", ") + place->name;
+      places.push_back(*place);
+    }
+  }
+  return places.size() < 2 ? ""
+                           : names +
+      " stand in one place, each at the origin of its own frame; name their .galaxy files in a "
+      ".galaxygroup and open that, and they stand where the sky has them";
 }
 
 void passSkyPlace(vtkDataObject* input, vtkDataObject* output)

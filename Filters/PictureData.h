@@ -5,6 +5,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -20,6 +21,9 @@ namespace galaxy
 struct GalaxyDescription;
 
 void setSkyPlace(const GalaxyDescription& galaxy, vtkDataObject* output);
+/// What to do about particles of galaxies whose frames are not one: shown together they all stand
+/// at the origin, not where the sky has them. Empty where there is nothing to do.
+std::string placesHint(const std::vector<vtkDataObject*>& together);
 /// From the particles to their picture.
 void passSkyPlace(vtkDataObject* input, vtkDataObject* output);
 void setCamera(const PictureCamera& camera, vtkDataObject* output);

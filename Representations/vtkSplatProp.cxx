@@ -1,6 +1,7 @@
 #include "vtkSplatProp.h"
 
 #include "Filters/ParticleData.h"
+#include "Filters/PictureData.h"
 #include "OpenGLFunctions.h"
 #include "Readers/ReportErrors.h"
 #include "RendererCamera.h"
@@ -162,6 +163,7 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
   }
   return galaxy::reportErrors(this, [&] {
     this->UpdatePicture(renderer, props);
+    this->HintAtPlaces(props);
     returnTo(window);
     this->DrawPicture(window);
   });
@@ -200,6 +202,29 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSpl
     prop->ActiveEffects = galaxy::activeEffects(statistics);
     prop->RenderStatistics =
       (this->Picture->isAborted() ? "aborted; " : "") + galaxy::describe(statistics);
+  }
+}
+
+void vtkSplatProp::HintAtPlaces(const std::vector<vtkSplatProp*>& props)
+{
+  std::vector<vtkDataObject*> together;
+  for (vtkSplatProp* prop : props)
+  {
+    together.push_back(prop->Particles);
+  }
+  const std::string hint = galaxy::placesHint(together);
+  if (hint.empty())
+  {
+    return;
+  }
+  for (vtkSplatProp* prop : props)
+  {
+    prop->ActiveEffects += "; " + hint;
+  }
+  if (hint != this->PlacesHint)
+  {
+    this->PlacesHint = hint;
+    vtkWarningMacro(<< hint);
   }
 }
 

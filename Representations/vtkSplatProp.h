@@ -120,6 +120,8 @@ private:
   /// The props that the renderer draws particles of, the first of which draws all of them.
   std::vector<vtkSplatProp*> DrawnTogether(vtkRenderer* renderer);
   void UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSplatProp*>& props);
+  /// Warns, once, where galaxies are drawn together that the sky has in different places.
+  void HintAtPlaces(const std::vector<vtkSplatProp*>& props);
   /// Says how much of the picture is done; false if it is not wanted any more.
   bool ReportProgress(double fraction);
   galaxy::ToneMap GetToneMap() const;
@@ -143,6 +145,7 @@ private:
   vtkMTimeType BoundsTime = 0;
   std::string ActiveEffects;
   std::string RenderStatistics;
+  std::string PlacesHint; ///< what was warned of last
 
   struct Canvas; // what OpenGL holds of the picture
   std::unique_ptr<galaxy::SplatPicture> Picture;

@@ -14,6 +14,7 @@
 #include "Filters/Model/SurfaceDraws.h"
 #include "Filters/Model/Thickness.h"
 #include "Filters/Model/ThicknessProfile.h"
+#include "Readers/Formats/ComponentLimit.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -54,10 +55,9 @@ public:
     , store(input, this->disk, largestRadius(this->galaxy, this->disk))
   {
     requireUsable(options, this->galaxy.file);
-    if (this->galaxy.components.size() > 256)
+    if (this->galaxy.components.size() > mostComponents)
     {
-      throw Error(
-        this->galaxy.file, "component", "a galaxy can have 256 components at most; leave some out");
+      throw Error(this->galaxy.file, "component", "more than 256 components; leave some out");
     }
     this->report = {};
     this->report.components.resize(this->galaxy.components.size());

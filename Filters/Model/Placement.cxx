@@ -2,6 +2,7 @@
 
 #include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/ParticleWriter.h"
+#include "Readers/Formats/ComponentLimit.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -81,9 +82,10 @@ Particles mergeParticles(
       info.name = names[k] + "/" + info.name;
       merged.components.push_back(info);
     }
-    if (merged.components.size() > 256)
+    if (merged.components.size() > mostComponents)
     {
-      throw Error(names[k], "component", "a group can hold 256 components at most; leave some out");
+      throw Error(names[k], "component",
+        "more than 256 components with those of the members before; leave some out");
     }
     std::copy(galaxy.position.begin(), galaxy.position.end(), merged.position.begin() + 3 * start);
     std::copy(galaxy.smoothingLength.begin(), galaxy.smoothingLength.end(),

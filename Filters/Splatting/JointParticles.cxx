@@ -1,6 +1,7 @@
 #include "Filters/Splatting/JointParticles.h"
 
 #include "Filters/Splatting/Projection.h"
+#include "Readers/Formats/ComponentLimit.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ JointParticles::JointParticles(const std::vector<ParticleView>& parts)
     this->add(part, at, first);
     at += part.size;
     first += tableOf(part).size();
-    if (first > 256)
+    if (first > mostComponents)
     {
       throw Error("particles", "", "more than 256 components in one view; hide some of them");
     }

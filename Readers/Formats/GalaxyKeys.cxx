@@ -1,4 +1,6 @@
 #include "Readers/Formats/GalaxyKeys.h"
+
+#include "Readers/Formats/ComponentLimit.h"
 #include "Readers/Formats/SkyKeys.h"
 
 #include <algorithm>
@@ -33,12 +35,11 @@ void readGalaxy(const KeyValue& value, GalaxyDescription& out)
 
 void readComponents(const KeyValue& value, GalaxyDescription& out)
 {
-  constexpr std::size_t most = 255; // a particle keeps its component's index in a byte
   for (const toml::table* table : value.tables())
   {
-    if (out.components.size() == most)
+    if (out.components.size() == mostComponents)
     {
-      KeyValue(value.file, "component", *table).fail("more than 255 components; leave some out");
+      KeyValue(value.file, "component", *table).fail("more than 256 components; leave some out");
     }
     const ComponentDescription component = readComponent(value.file, *table);
     for (const ComponentDescription& other : out.components)

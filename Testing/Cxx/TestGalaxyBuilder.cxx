@@ -194,6 +194,28 @@ TEST(GalaxyBuilder, ProgressRunsToTheEndAndCanStop)
   }
 }
 
+TEST(GalaxyBuilder, HasAsManyComponentsAsAByteCounts)
+{
+  Galaxy input = galaxyInput();
+  ComponentDescription one = input.description.components[3];
+  input.description.components.clear();
+  for (int k = 0; k < 256; ++k)
+  {
+    one.name = std::to_string(k);
+    one.particles = 1;
+    input.description.components.push_back(one);
+  }
+  const Particles particles = buildGalaxy(input);
+  ASSERT_EQ(particles.size(), 256u);
+  for (int k = 0; k < 256; ++k)
+  {
+    EXPECT_EQ(particles.component[k], k);
+  }
+  one.name = "one too many";
+  input.description.components.push_back(one);
+  EXPECT_NE(messageOf(input).find("more than 256 components"), std::string::npos);
+}
+
 TEST(GalaxyBuilder, ErrorsNameFileAndCause)
 {
   Galaxy input = galaxyInput();

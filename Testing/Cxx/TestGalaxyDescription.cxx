@@ -281,13 +281,13 @@ TEST(GalaxyDescription, MissingAndContradicting)
 TEST(GalaxyDescription, NoMoreComponentsThanAByteCounts)
 {
   std::string text = least;
-  for (int i = 0; i < 255; ++i)
+  for (int i = 0; i < 256; ++i)
   {
     text += "[[component]]\ntype = \"Spheroid\"\nname = \"" + std::to_string(i) + "\"\n";
   }
   EXPECT_EQ(messageOf(text), "");
   EXPECT_EQ(messageOf(text + "[[component]]\n"),
-    "some.galaxy: line 770: component: more than 255 components; leave some out");
+    "some.galaxy: line 773: component: more than 256 components; leave some out");
 }
 
 TEST(GalaxyDescription, BrokenToml)

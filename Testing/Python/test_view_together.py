@@ -54,6 +54,29 @@ class Together(ViewTest):
         simple.Hide(left.Input, self.view)
         np.testing.assert_allclose(seen(), [0, 0.4], atol=0.02)
 
+    def test_galaxies_at_one_place_that_the_sky_has_apart_are_said_to_be(self):
+        galaxy = ("[galaxy]\nname = '{}'\nra = {}\ndec = 20\ndistance = 5\n[[component]]\nname = 'a'\n"
+                  "particles = 500\nprofile = 'Exponential'\n")
+
+        def model(name, ra):
+            path = gt.written(name + ".galaxy", galaxy.format(name, ra))
+            return simple.GalaxyModel(Input=simple.GalaxyReader(FileName=path))
+
+        one = self.show(model("One", 10))
+        self.show(model("One", 10))
+        with gt.Messages() as messages:
+            self.shot()
+        self.assertEqual(messages.text, "")
+        self.show(model("Other", 11))
+        with gt.Messages() as messages:
+            self.shot()
+            self.view.CameraPosition = [0, 0, 30]
+            self.shot()
+        self.assertEqual(messages.text.count("One, Other stand in one place"), 1, messages.text)
+        self.assertIn(".galaxygroup", messages.text)
+        one.UpdatePropertyInformation()
+        self.assertIn("One, Other stand in one place", str(one.ActiveEffects))
+
     def test_a_mixture_of_arrays(self):
         """Stars by Intensity and Color behind dust by Absorption."""
         star = gt.particles(
