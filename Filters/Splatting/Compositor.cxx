@@ -4,6 +4,7 @@
 #include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/SpreadAbsorbers.h"
 #include "Filters/Splatting/TileComposite.h"
+#include "Filters/Splatting/TileOrder.h"
 #include "Filters/Splatting/TilePieces.h"
 #include "Filters/Splatting/TileSummary.h"
 #include "Filters/Splatting/Tiles.h"
@@ -59,15 +60,14 @@ public:
 private:
   void renderBands(RenderedImage& image);
   void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
-  void renderTile(const TileDealer& dealer, const TileBand& band, int tile, Workspace& work,
-    RenderedImage& image);
-  void renderInPieces(const TileDealer& dealer, const TileBand& band, int tile,
+  void renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image);
+  void renderInPieces(const TileBand& band, int tile,
     std::vector<std::unique_ptr<Workspace>>& works, RenderedImage& image);
   TilePlan planOf(const TileBand& band, int tile, Workspace& work) const;
   void list(TileTask& task, const Omission& omission, Workspace& work) const;
-  void draw(const TileDealer& dealer, int tile, const TileTask& task, Workspace& work) const;
+  void draw(int tile, const TileTask& task, Workspace& work) const;
   void add(const std::vector<std::unique_ptr<Workspace>>& works);
-  void loadOpaque(int tile, const PixelBox& box, const TileDepths& depths, TileSums& sums) const;
+  void loadOpaque(int tile, const PixelBox& box, TileSums& sums) const;
   void store(int tile, const TileTask& task, const TileLight& sums, RenderedImage& image) const;
 
   Projection projection;
@@ -143,12 +143,12 @@ void Compositor::renderBand(const TileDealer& dealer, const TileBand& band, Rend
   }
   for (auto tile = tiles.begin(); tile != small && !this->progress.isAborted(); ++tile)
   {
-    this->renderInPieces(dealer, band, *tile, works, image);
+    this->renderInPieces(band, *tile, works, image);
   }
   parallelForDynamic(small, tiles.end(), 1, [&](auto tile) {
     if (!this->progress.isAborted() && dealer.splatsOf(*tile) > 0)
     {
-      this->renderTile(dealer, band, *tile, *works[omp_get_thread_num()], image);
+      this->renderTile(band, *tile, *works[omp_get_thread_num()], image);
       this->progress.advance(dealer.splatsOf(*tile));
     }
   });
@@ -185,6 +185,7 @@ TilePlan Compositor::planOf(const TileBand& band, int tile, Workspace& work) con
   TilePlan plan;
   TileTask& task = plan.task;
   task.splats = band.splats.data() + band.first[k];
+  task.particles = band.splats.particles() + band.first[k];
   task.count = band.first[k + 1] - band.first[k];
   task.pixels = this->grid.pixelsOf(tile);
   task.left = this->grid.leftOf(tile);
@@ -232,8 +233,7 @@ void Compositor::list(TileTask& task, const Omission& omission, Workspace& work)
   task.order = work.order.data();
 }
 
-void Compositor::renderTile(
-  const TileDealer& dealer, const TileBand& band, int tile, Workspace& work, RenderedImage& image)
+void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, RenderedImage& image)
 {
   const double start = omp_get_wtime();
   TilePlan plan = this->planOf(band, tile, work);
@@ -245,28 +245,28 @@ void Compositor::renderTile(
   if (plan.isOrdered)
   {
     sortByKey(work.order.data(), work.order.data() + task.count, work.scratch);
+    orderTies(work.order.data(), work.order.data() + task.count, task);
   }
   work.seconds[0] += omp_get_wtime() - start;
-  this->draw(dealer, tile, task, work);
+  this->draw(tile, task, work);
   this->store(tile, task, work.sums.all, image);
 }
 
 /// Draws to the sums.
-void Compositor::draw(
-  const TileDealer& dealer, int tile, const TileTask& task, Workspace& work) const
+void Compositor::draw(int tile, const TileTask& task, Workspace& work) const
 {
   const double start = omp_get_wtime();
   work.sums.clear(task.isOneSource ? TileAbsorption::None : task.absorption);
   if (task.hasOpaque)
   {
-    this->loadOpaque(tile, task.pixels, dealer.depthsOf(tile), work.sums);
+    this->loadOpaque(tile, task.pixels, work.sums);
   }
   work.untouched += task.count - compositeTile(task, work.sums);
   work.seconds[1] += omp_get_wtime() - start;
 }
 
 /// The same by all threads together, one piece each.
-void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, int tile,
+void Compositor::renderInPieces(const TileBand& band, int tile,
   std::vector<std::unique_ptr<Workspace>>& works, RenderedImage& image)
 {
   const double start = omp_get_wtime();
@@ -285,6 +285,7 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
     if (plan.isOrdered)
     {
       sortByKey(pieces.begin(k), pieces.end(k), work.scratch);
+      orderTies(pieces.begin(k), pieces.end(k), plan.task);
     }
     work.seconds[0] += omp_get_wtime() - before;
     TileTask task = plan.task;
@@ -293,7 +294,7 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
     // What all of them leave out is what one tile may.
     task.negligible /= static_cast<float>(pieces.size());
     task.opaque /= static_cast<float>(pieces.size());
-    this->draw(dealer, tile, task, work);
+    this->draw(tile, task, work);
     lights[k].reset(new TileLight(work.sums.all));
     this->progress.advance(pieces.end(k) - pieces.begin(k));
   });
@@ -308,19 +309,14 @@ void Compositor::renderInPieces(const TileDealer& dealer, const TileBand& band, 
   }
 }
 
-void Compositor::loadOpaque(
-  int tile, const PixelBox& box, const TileDepths& depths, TileSums& sums) const
+void Compositor::loadOpaque(int tile, const PixelBox& box, TileSums& sums) const
 {
   for (int y = box.y0; y < box.y1; ++y)
   {
     const std::size_t row = std::size_t(this->grid.bottomOf(tile) + y) * this->camera.width;
     for (int x = box.x0; x < box.x1; ++x)
     {
-      const double depth = this->options.opaqueDepth[row + this->grid.leftOf(tile) + x];
-      // In steps; what is before the nearest splat hides them all, what is behind the last none.
-      sums.opaque[y][x] = depth < depths.nearest ? -1.0F
-        : depth >= depths.farthest               ? std::numeric_limits<float>::infinity()
-                                                 : static_cast<float>(depths.stepOf(depth));
+      sums.opaque[y][x] = this->options.opaqueDepth[row + this->grid.leftOf(tile) + x];
     }
   }
 }

@@ -146,6 +146,15 @@ Projection::Place Projection::placeOf(std::size_t i) const
   return place;
 }
 
+bool Projection::isBeforeAtSameDepth(std::size_t i, std::size_t j) const
+{
+  const float *p = this->position(i), *q = this->position(j);
+  return p[0] != q[0] ? p[0] < q[0]
+    : p[1] != q[1]    ? p[1] < q[1]
+    : p[2] != q[2]    ? p[2] < q[2]
+                      : i > j;
+}
+
 double Projection::pixelAt(std::size_t i) const
 {
   const double ratio = this->placeOf(i).ratio;

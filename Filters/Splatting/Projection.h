@@ -134,6 +134,19 @@ public:
   /// The smoothing length drawn, kpc.
   double radius(std::size_t i) const;
 
+  /// The distance (perspective) or depth (parallel) of particle i, kpc.
+  double depth(std::size_t i) const
+  {
+    const float* p = this->position(i);
+    const Camera& camera = this->eye.camera();
+    const Vec3 d = Vec3{ p[0], p[1], p[2] } - camera.eye;
+    return camera.parallel ? dot(d, camera.forward) : length(d);
+  }
+
+  /// Whether, of two particles at the same depth, i lies before j: by their places, so that it does
+  /// not hang on how they are numbered; in one place the last.
+  bool isBeforeAtSameDepth(std::size_t i, std::size_t j) const;
+
   /// How long a pixel is at particle i, kpc; 0 behind the eye.
   double pixelAt(std::size_t i) const;
 

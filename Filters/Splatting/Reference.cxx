@@ -19,18 +19,19 @@ struct Disc
   double e[3], t[3];
   std::shared_ptr<const NearParticle> near; ///< then x, y and h mean nothing
   Vec3 place;                               ///< to the right, up and into the scene, kpc
+  std::size_t particle = 0;
 };
 
 Disc discOf(const Projection& projection, std::size_t i)
 {
   const Projection::Place place = projection.placeOf(i);
-  const bool isParallel = projection.lens().camera().parallel;
   const ParticleLight light = projection.light(i);
   Disc disc;
   disc.x = place.x;
   disc.y = place.y;
   disc.h = place.h;
-  disc.depth = isParallel ? place.seen.z : length(place.seen);
+  disc.depth = projection.depth(i);
+  disc.particle = i;
   disc.place = place.seen;
   if (place.isNear)
   {
@@ -117,8 +118,10 @@ std::vector<Disc> visibleDiscs(
       discs.push_back(discOf(projection, i));
     }
   }
-  std::stable_sort(
-    discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.depth > b.depth; });
+  std::sort(discs.begin(), discs.end(), [&projection](const Disc& a, const Disc& b) {
+    return a.depth != b.depth ? a.depth > b.depth
+                              : projection.isBeforeAtSameDepth(b.particle, a.particle);
+  });
   return discs;
 }
 } // namespace

@@ -91,8 +91,8 @@ RenderedImage render(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
 
 /// Accuracy level `Sorted`, the paper's model: one slab a particle, in strict order of the centres'
-/// distance (parallel projection: depth; ties by index), every particle and channel, by the update
-/// I <- I exp(-t) + e phi(t). Identical for any number of threads.
+/// distance (parallel projection: depth; ties by place, in one place by index), every particle and
+/// channel, by the update I <- I exp(-t) + e phi(t). Identical for any number of threads.
 RenderedImage renderSorted(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options = {});
 

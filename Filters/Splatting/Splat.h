@@ -61,7 +61,7 @@ static_assert(sizeof(Splat) == 32, "two splats a cache line");
 
 /// The depths of a tile's splats in 32 bits: steps from the nearest, as many as lie between it and
 /// the farthest. Single precision, at 100 kpc, has steps of 7.6e-6 kpc, in which neighbours of a
-/// dense galaxy lie together.
+/// dense galaxy lie together. What shares a step is put in order by orderTies().
 struct TileDepths
 {
   double nearest = 0; ///< kpc

@@ -30,6 +30,8 @@ void SplatMemory::reserve(std::size_t count)
   const std::size_t bytes = (count * sizeof(Splat) + page - 1) / page * page;
   this->splats.reset();
   this->capacity = 0;
+  this->numbers = {};
+  this->numbers.resize(count);
   this->splats.reset(static_cast<Splat*>(std::aligned_alloc(page, bytes)));
   if (!this->splats)
   {
@@ -43,6 +45,7 @@ void SplatMemory::reserve(std::size_t count)
 
 SplatWriter::SplatWriter(SplatMemory& memory, const std::vector<std::size_t>& places)
   : memory(memory)
+  , particles(memory.particles())
   , lines(places.size())
   , first(places)
   , next(places)

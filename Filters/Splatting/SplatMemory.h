@@ -1,6 +1,7 @@
 #ifndef galaxy_SplatMemory_h
 #define galaxy_SplatMemory_h
 
+#include "Filters/Model/Particles.h"
 #include "Filters/Splatting/Splat.h"
 
 #include <cstddef>
@@ -19,6 +20,9 @@ public:
   void reserve(std::size_t count);
   Splat* data() { return this->splats.get(); }
   const Splat* data() const { return this->splats.get(); }
+  /// The particle that each of them is.
+  std::uint32_t* particles() { return this->numbers.data(); }
+  const std::uint32_t* particles() const { return this->numbers.data(); }
   Splat& operator[](std::size_t i) { return this->splats.get()[i]; }
 
 private:
@@ -27,6 +31,7 @@ private:
     void operator()(Splat* splats) const;
   };
   std::unique_ptr<Splat, Free> splats;
+  Buffer<std::uint32_t> numbers;
   std::size_t capacity = 0;
 };
 
@@ -41,9 +46,10 @@ public:
   SplatWriter(const SplatWriter&) = delete;
   void operator=(const SplatWriter&) = delete;
 
-  void write(std::size_t list, const Splat& splat)
+  void write(std::size_t list, const Splat& splat, std::uint32_t particle)
   {
     const std::size_t place = this->next[list]++;
+    this->particles[place] = particle;
     this->lines[list].splats[place & 1] = splat;
     if (place & 1)
     {
@@ -60,6 +66,7 @@ private:
 
   // Apart, so that a core's caches hold as much of them as they can.
   SplatMemory& memory;
+  std::uint32_t* particles;
   std::vector<Line> lines;
   std::vector<std::size_t> first, next;
 };

@@ -16,7 +16,8 @@ namespace galaxy
 struct TileTask
 {
   const Splat* splats = nullptr;
-  const KeyedSlot* order = nullptr; ///< from the nearest to the farthest; null: as they lie
+  const std::uint32_t* particles = nullptr; ///< that they are
+  const KeyedSlot* order = nullptr;         ///< from the nearest to the farthest; null: as they lie
   std::size_t count = 0;
   PixelBox pixels;          ///< of the tile that lie in the picture
   int left = 0, bottom = 0; ///< the tile's corner in the picture

@@ -48,6 +48,7 @@ public:
     std::size_t k = 0;
     for (; k < this->task.count && !this->endsBefore(k, 1); ++k)
     {
+      this->setDepth(k);
       this->drawAlone(this->next(k), footprint);
       this->endFullSpan();
     }
@@ -77,6 +78,7 @@ public:
         {
           continue;
         }
+        this->setDepth(k + i);
         if (batch.isSmall(i))
         {
           this->draw(batch.splats[i], batch.footprint(i));
@@ -137,6 +139,16 @@ private:
     }
   }
 
+  /// Of the k-th splat: opaque geometry is compared with what lies there, not with steps.
+  HWY_INLINE void setDepth(std::size_t k)
+  {
+    if constexpr (hasOpaque)
+    {
+      const std::size_t slot = this->task.order ? slotOf(this->task.order[k]) : k;
+      this->depth = static_cast<float>(this->task.projection->depth(this->task.particles[slot]));
+    }
+  }
+
   /// The k-th splat from the nearest.
   HWY_INLINE const Splat& next(std::size_t k) const
   {
@@ -156,12 +168,12 @@ private:
     this->count(footprint.box);
     if (splat.kind() == SplatKind::Emits || (planes == 0 && splat.kind() == SplatKind::Absorbs))
     {
-      this->emit(splat, splat.light, footprint);
+      this->emit(splat.light, footprint);
     }
     else if constexpr (planes == 0)
     {
       const SlabLight light = this->task.projection->lightOf(splat);
-      this->emit(splat, this->task.isOneSource ? light.t : light.e, footprint);
+      this->emit(this->task.isOneSource ? light.t : light.e, footprint);
     }
     else
     {
@@ -169,12 +181,12 @@ private:
       const float thickest = mostOf(light.t) * footprint.mostOfAPixel();
       if (thickest == 0)
       {
-        this->emit(splat, light.e, footprint);
+        this->emit(light.e, footprint);
         return;
       }
       if (thickest > this->opaqueFrom)
       {
-        this->absorbAll(splat, light, footprint);
+        this->absorbAll(light, footprint);
         return;
       }
       this->depthSoFar += thickest;
@@ -186,13 +198,13 @@ private:
       const bool isThin = thickest < 0.125F;
       if (mostOf(light.e) > 0)
       {
-        isThin ? this->absorb<true, true>(splat, light, footprint)
-               : this->absorb<true, false>(splat, light, footprint);
+        isThin ? this->absorb<true, true>(light, footprint)
+               : this->absorb<true, false>(light, footprint);
       }
       else
       {
-        isThin ? this->absorb<false, true>(splat, light, footprint)
-               : this->absorb<false, false>(splat, light, footprint);
+        isThin ? this->absorb<false, true>(light, footprint)
+               : this->absorb<false, false>(light, footprint);
       }
     }
   }
@@ -276,41 +288,38 @@ private:
 
   /// What leaves out of a splat's weights the pixels whose opaque geometry is nearer.
   template <class Footprint>
-  HWY_INLINE auto seeing(const Splat& splat) const
+  HWY_INLINE auto seeing() const
   {
-    return [this, &splat](hn::Vec<typename Footprint::D> w, int y, int x) {
+    return [this](hn::Vec<typename Footprint::D> w, int y, int x) {
       if constexpr (hasOpaque)
       {
         const typename Footprint::D d;
         const auto opaque = hn::LoadU(d, &this->sums.opaque[y][x]);
-        const auto depth = hn::Set(d, static_cast<float>(splat.depth));
-        return hn::IfThenZeroElse(hn::Lt(opaque, depth), w);
+        return hn::IfThenZeroElse(hn::Lt(opaque, hn::Set(d, this->depth)), w);
       }
       return w;
     };
   }
 
   template <class Footprint>
-  HWY_INLINE void emit(const Splat& splat, const float* light, const Footprint& footprint)
+  HWY_INLINE void emit(const float* light, const Footprint& footprint)
   {
-    addLight<hasOpaque>(
-      this->sums.emitted, light, footprint, this->template seeing<Footprint>(splat));
+    addLight<hasOpaque>(this->sums.emitted, light, footprint, this->template seeing<Footprint>());
   }
 
   template <bool emits, bool isThin, class Footprint>
-  HWY_NOINLINE void absorb(const Splat& splat, const SlabLight& light, const Footprint& footprint)
+  HWY_NOINLINE void absorb(const SlabLight& light, const Footprint& footprint)
   {
     absorbLight<planes, emits, isThin>(this->sums, this->emittedBefore(footprint.box), light,
-      footprint, this->template seeing<Footprint>(splat));
+      footprint, this->template seeing<Footprint>());
   }
 
   /// Of any optical depth: a span ends before it with what it emits itself, and one begins with its
   /// depth, which nothing of that span has to outgrow.
   template <class Footprint>
-  HWY_NOINLINE void absorbAll(
-    const Splat& splat, const SlabLight& light, const Footprint& footprint)
+  HWY_NOINLINE void absorbAll(const SlabLight& light, const Footprint& footprint)
   {
-    const auto seen = this->template seeing<Footprint>(splat);
+    const auto seen = this->template seeing<Footprint>();
     addEscaping<planes>(this->sums, light, footprint, seen);
     this->endSpan(footprint.box);
     addDepth<planes>(this->sums, light, footprint, seen);
@@ -373,6 +382,7 @@ private:
   NearFootprint near;
   NearLight lateNear;   ///< not yet in the sums
   BlockHits hits;       ///< in this span
+  float depth = 0;      ///< of the splat that is drawn, kpc; only where something is opaque
   float depthSoFar = 0; ///< no pixel has more optical depth in this span
   float spanDepth;      ///< the most that it may be before an absorber is added
   float opaqueFrom;     ///< the optical depth of an absorber that is no part of any span

@@ -109,7 +109,7 @@ struct TileSums
     }
   }
 
-  alignas(64) float opaque[tileSide][tileStride]; ///< depth of opaque geometry, as Splat::depth
+  alignas(64) float opaque[tileSide][tileStride]; ///< of opaque geometry, kpc
 };
 } // namespace galaxy
 

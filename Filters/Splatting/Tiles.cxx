@@ -137,7 +137,7 @@ private:
         ++this->tally[static_cast<int>(this->block->fate[k])];
         Splat splat = this->block->splat(k);
         splat.depth = this->dealer.depths[home].stepOf(this->block->tiles.depth[k]);
-        writer.write(static_cast<int>(home) - band.first, splat);
+        writer.write(static_cast<int>(home) - band.first, splat, this->lights.particle[k]);
       }
       else
       {
@@ -201,7 +201,7 @@ private:
           Splat seen =
             splat.from((column - range.column0) * tileSide, (row - range.row0) * tileSide);
           seen.depth = this->dealer.depths[tile].stepOf(this->block->tiles.depth[k]);
-          writer.write(tile - band.first, seen);
+          writer.write(tile - band.first, seen, this->lights.particle[k]);
         }
       }
     }
@@ -286,13 +286,14 @@ TileDealer::TileDealer(
 void TileDealer::cutIntoBands()
 {
   constexpr std::size_t bytesPerParticle = 16 - sizeof(std::uint32_t); // the rest has its home
+  constexpr std::size_t bytesPerSplat = sizeof(Splat) + sizeof(std::uint32_t);
   constexpr std::size_t fewestBytes = std::size_t(64) << 20;
   const std::size_t bytes = std::max(fewestBytes, bytesPerParticle * this->projection.size());
   this->starts = { 0 };
   std::size_t inBand = 0;
   for (int tile = 0; tile < this->tiles.size(); ++tile)
   {
-    if (inBand > 0 && (inBand + this->totals[tile]) * sizeof(Splat) > bytes)
+    if (inBand > 0 && (inBand + this->totals[tile]) * bytesPerSplat > bytes)
     {
       this->starts.push_back(tile);
       inBand = 0;
