@@ -5,6 +5,7 @@
 #include "Filters/Model/DustFilaments.h"
 #include "Filters/Model/FiniteParticles.h"
 #include "Filters/Model/ImageStore.h"
+#include "Filters/Model/ModelMemory.h"
 #include "Filters/Model/ParticleWriter.h"
 #include "Filters/Model/Photometry.h"
 #include "Filters/Model/PixelFill.h"
@@ -80,6 +81,7 @@ public:
 
   Particles build()
   {
+    requireMemoryFor({ &this->galaxy }, this->options);
     this->proceed();
     for (std::size_t k = 0; k < this->galaxy.components.size(); ++k)
     {
@@ -274,7 +276,8 @@ private:
     const ParticleStarts starts = component.hasDust
       ? countFilaments(seeds, this->disk, component, key)
       : countChildren(seeds, this->disk, component, key, this->galaxy.file);
-    resizeParticles(this->particles, first + starts[seeds.size()], this->options.velocities);
+    addParticles(
+      starts[seeds.size()], this->options, this->galaxy.file, component, this->particles);
     const ParticleWriter writer = this->writerOf(index, first);
     const auto place = component.hasDust ? placeFilaments : placeChildren;
     place(seeds, starts, this->disk, component, key, lightFactor(component), writer);
@@ -291,7 +294,7 @@ private:
     photometry.weigh(this->particles, first, placed);
     const DiskInverse inverse = this->inverseOf(component);
     const std::vector<std::uint32_t> uncovered = photometry.uncovered(inverse);
-    resizeParticles(this->particles, placed + uncovered.size(), this->options.velocities);
+    addParticles(uncovered.size(), this->options, this->galaxy.file, component, this->particles);
     fillPixels(uncovered, map, this->disk, inverse, this->layerOf(component),
       component.velocityDispersion, this->keyOf(index), static_cast<float>(typical),
       this->writerOf(index, placed));
@@ -323,7 +326,7 @@ private:
     done.name = component.name;
     const std::size_t first = this->particles.size();
     const std::size_t count = this->scaled(component, static_cast<double>(component.particles));
-    resizeParticles(this->particles, first + count, this->options.velocities);
+    addParticles(count, this->options, this->galaxy.file, component, this->particles);
     placeSpheroid(this->disk, component, this->keyOf(index), count, lightFactor(component),
       this->writerOf(index, first));
     done.seconds.thickness += this->proceed();

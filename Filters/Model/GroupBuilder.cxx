@@ -1,6 +1,7 @@
 #include "Filters/Model/GroupBuilder.h"
 
 #include "Filters/Model/FiniteParticles.h"
+#include "Filters/Model/ModelMemory.h"
 #include "Filters/Model/Placement.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/Galaxy.h"
@@ -72,6 +73,12 @@ Particles buildGroup(const GroupDescription& group, const BuildOptions& options)
 Particles buildGroup(
   const GroupDescription& group, const std::vector<GroupPlace>& places, const BuildOptions& options)
 {
+  std::vector<const GalaxyDescription*> galaxies;
+  for (const GroupPlace& place : places)
+  {
+    galaxies.push_back(&place.galaxy);
+  }
+  requireMemoryFor(galaxies, options, 2); // the members, and all of them as one
   std::vector<Particles> parts;
   std::vector<std::string> names;
   const double count = static_cast<double>(places.size());

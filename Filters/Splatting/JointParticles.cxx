@@ -43,6 +43,8 @@ JointParticles::JointParticles(const std::vector<ParticleView>& parts)
   }
   const bool asArrays = keepsColors(parts);
   const bool absorb = std::any_of(parts.begin(), parts.end(), absorbs);
+  const std::size_t light = asArrays ? absorb ? 6 : 3 : 1;
+  requireMemoryOfCopies(size, 4 + light, asArrays ? 1 : 4);
   this->arrays.position.resize(3 * size);
   this->arrays.smoothingLength.resize(size);
   this->arrays.component.resize(size);

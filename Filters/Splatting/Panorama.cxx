@@ -1,6 +1,7 @@
 #include "Filters/Splatting/Panorama.h"
 
 #include "Filters/Model/ParallelFor.h"
+#include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/SkyFace.h"
 
 #include <algorithm>
@@ -264,6 +265,7 @@ double Panorama::largestPixel() const
 RenderedImage renderPanorama(
   const ParticleView& particles, const Panorama& panorama, const RenderOptions& options)
 {
+  requireMemoryOfPicture(panorama.width, panorama.height);
   const Samples samples(panorama);
   RenderedImage image = emptyPanorama(panorama, samples);
   const std::vector<int> faces = facesOf(panorama);

@@ -3,12 +3,23 @@
 
 #include "Filters/Model/Particles.h"
 #include "Filters/Splatting/Render.h"
+#include "Readers/Formats/AvailableMemory.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace galaxy
 {
+/// Throws Error where copies of so many particles, of so many floats and bytes each, would not fit
+/// into memory.
+inline void requireMemoryOfCopies(std::size_t count, std::size_t floats, std::size_t bytes)
+{
+  requireMemory(double(count) * double(sizeof(float) * floats + bytes), "particles", "",
+    "a changed copy of " + std::to_string(count) + " of them",
+    "use a smaller ParticleScale or hide some");
+}
+
 /// The arrays of a ParticleView as one's own: those of a part of its particles, of several sets of
 /// them one after another, or changed ones.
 struct ParticleArrays

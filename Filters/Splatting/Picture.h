@@ -3,11 +3,21 @@
 
 #include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/Render.h"
+#include "Readers/Formats/AvailableMemory.h"
 
 #include <algorithm>
+#include <string>
 
 namespace galaxy
 {
+/// Throws Error where so many `copies` of a picture would not fit into memory.
+inline void requireMemoryOfPicture(int width, int height, double copies = 1)
+{
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  requireMemory(copies * 2 * 3 * sizeof(float) * width * height, "picture", "ImageSize",
+    "one of " + size + " pixels", "choose a smaller one");
+}
+
 /// A black picture that hides nothing.
 inline void wipe(RenderedImage& image)
 {
@@ -15,8 +25,10 @@ inline void wipe(RenderedImage& image)
   std::fill(image.transmittance.begin(), image.transmittance.end(), 1.0F);
 }
 
+/// Throws Error where it would not fit into memory.
 inline RenderedImage emptyPicture(const Camera& camera)
 {
+  requireMemoryOfPicture(camera.width, camera.height);
   RenderedImage image;
   image.width = camera.width;
   image.height = camera.height;

@@ -2,6 +2,7 @@
 
 #include "Filters/Model/ParallelFor.h"
 #include "Filters/Splatting/SplatBlock.h"
+#include "Readers/Formats/AvailableMemory.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
@@ -17,6 +18,10 @@ namespace
 /// How much of a picture's time counting and dealing take, about; the rest is drawing.
 constexpr double countingShare = 0.1;
 constexpr double dealingShare = 0.35;
+
+/// Beside the particles themselves: the splats of a band, and the home.
+constexpr std::size_t bytesPerParticle = 16;
+constexpr std::size_t bytesOfHome = sizeof(std::uint32_t);
 
 /// The particles that one of `parts` shares begins with, a multiple of the block's size.
 std::size_t shareBegin(std::size_t size, std::size_t part, std::size_t parts)
@@ -246,6 +251,9 @@ TileDealer::TileDealer(
   }
   if (this->memory.home.size() < projection.size())
   {
+    requireMemory(double(bytesPerParticle) * double(projection.size()), "particles", "",
+      "drawing " + std::to_string(projection.size()) + " of them",
+      "use a smaller ParticleScale or hide some components");
     this->memory.home = Buffer<std::uint32_t>(projection.size());
   }
   this->progress.begin(countingShare, projection.size());
@@ -285,10 +293,10 @@ TileDealer::TileDealer(
 
 void TileDealer::cutIntoBands()
 {
-  constexpr std::size_t bytesPerParticle = 16 - sizeof(std::uint32_t); // the rest has its home
   constexpr std::size_t bytesPerSplat = sizeof(Splat) + sizeof(std::uint32_t);
   constexpr std::size_t fewestBytes = std::size_t(64) << 20;
-  const std::size_t bytes = std::max(fewestBytes, bytesPerParticle * this->projection.size());
+  const std::size_t bytes =
+    std::max(fewestBytes, (bytesPerParticle - bytesOfHome) * this->projection.size());
   this->starts = { 0 };
   std::size_t inBand = 0;
   for (int tile = 0; tile < this->tiles.size(); ++tile)

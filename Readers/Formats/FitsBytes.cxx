@@ -1,8 +1,8 @@
 #include "Readers/Formats/FitsBytes.h"
 
+#include "Readers/Formats/AvailableMemory.h"
 #include "Readers/Formats/Error.h"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -44,11 +44,6 @@ FitsBytes::FitsBytes(const std::string& file)
   }
 }
 
-std::uint64_t FitsBytes::memoryLimit()
-{
-  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) / 2 * sysconf(_SC_PAGESIZE);
-}
-
 std::string FitsBytes::read(std::uint64_t offset, std::size_t count)
 {
   if (!this->memory.empty())
@@ -70,7 +65,7 @@ void FitsBytes::unpack()
   {
     throw Error(this->file, "", unopened);
   }
-  const std::uint64_t limit = memoryLimit();
+  const auto limit = static_cast<std::uint64_t>(std::min(availableMemory(), 0x1p62));
   // The last four bytes of a gzip file are its length, as far as they can hold it.
   const std::string end = this->read(std::max<std::uint64_t>(this->length, 4) - 4, 4);
   std::uint64_t expected = 0;
@@ -86,8 +81,7 @@ void FitsBytes::unpack()
     {
       if (filled > limit)
       {
-        throw Error(
-          this->file, "", "unpacks to more than half of the machine's memory; cut out a part");
+        throw Error(this->file, "", "unpacks to more than the memory that is free; cut out a part");
       }
       this->memory.resize(filled + unpackedAtOnce);
       count = gzread(gzip.get(), this->memory.data() + filled, unpackedAtOnce);

@@ -12,11 +12,8 @@ class FitsBytes
 {
 public:
   /// The path is taken literally. Throws Error where the file is missing or unreadable, its gzip
-  /// stream broken or ended early, or where it unpacks to more than memoryLimit().
+  /// stream broken or ended early, or where it unpacks to more than availableMemory().
   explicit FitsBytes(const std::string& file);
-
-  /// Half of the machine's memory, in bytes: more than this is never asked for at once.
-  static std::uint64_t memoryLimit();
 
   std::uint64_t size() const { return this->length; }
 

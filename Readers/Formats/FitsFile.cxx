@@ -1,5 +1,6 @@
 #include "Readers/Formats/FitsFile.h"
 
+#include "Readers/Formats/AvailableMemory.h"
 #include "Readers/Formats/FitsBytes.h"
 #include "Readers/Formats/FitsCube.h"
 #include "Readers/Formats/FitsHandle.h"
@@ -14,7 +15,7 @@ namespace galaxy
 {
 namespace
 {
-const std::string cure = "; cut out or bin the image first";
+const std::string cure = "cut out or bin the image first";
 
 std::string readCards(const FitsHandle& fits)
 {
@@ -51,15 +52,13 @@ Image emptyImage(const std::string& file, const FitsHdu& hdu, const FitsPlan& pl
   if (width > longest || height > longest)
   {
     throw Error(
-      file, "NAXIS", "an axis is longer than " + std::to_string(longest) + " pixels" + cure);
+      file, "NAXIS", "an axis is longer than " + std::to_string(longest) + " pixels; " + cure);
   }
   // The values, and the weights of a sum.
-  constexpr std::uint64_t bytesPerPixel = 2 * sizeof(double);
-  if (static_cast<std::uint64_t>(width * height) > FitsBytes::memoryLimit() / bytesPerPixel)
-  {
-    throw Error(
-      file, "NAXIS", "the image would take more than half of the machine's memory" + cure);
-  }
+  constexpr double bytesPerPixel = 2 * sizeof(double);
+  requireMemory(bytesPerPixel * static_cast<double>(width) * static_cast<double>(height), file,
+    "NAXIS", "the image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
+    cure);
   Image image;
   image.file = file;
   image.width = static_cast<int>(width);
@@ -95,7 +94,7 @@ Image readFitsImage(
   }
   catch (const std::bad_alloc&)
   {
-    throw Error(file, "NAXIS", "not enough memory for the image" + cure);
+    throw Error(file, "NAXIS", "not enough memory for the image; " + cure);
   }
 }
 } // namespace galaxy

@@ -36,8 +36,7 @@ struct FitsSelection
 /// The path is taken literally (no extended file name syntax).
 /// Throws Error naming the file and the keyword or CFITSIO's own messages. Nothing is allocated for
 /// a header that promises more than the file holds (see findFitsImage), or for an image that, with
-/// what reading it takes, is more than half of the machine's memory; nor is more unpacked of a
-/// gzipped file.
+/// what reading it takes, is more than availableMemory(); nor is more unpacked of a gzipped file.
 Image readFitsImage(
   const std::string& file, const FitsSelection& selection = {}, const Progress& progress = {});
 } // namespace galaxy
