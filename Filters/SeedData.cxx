@@ -4,6 +4,7 @@
 #include "Filters/Model/GalaxyBuilder.h"
 #include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/RingGeometry.h"
+#include "Filters/Model/SightLines.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
 #include "Readers/DataObjects.h"
@@ -40,13 +41,15 @@ Buffer<float> positionsOf(const SeedData& data)
   const GalaxyDescription& galaxy = data.galaxy.description;
   const TiltedDisk disk(
     data.galaxy.rings, galaxy.distance, galaxy.spin, galaxy.interpolation, galaxy.beyondLastRing);
+  const bool isSeen = hasDiskWithImages(galaxy);
   const Seeds& seeds = data.seeds;
   const auto count = static_cast<std::int64_t>(seeds.size());
   Buffer<float> positions(3 * seeds.size());
   parallelFor<std::int64_t>(0, count, [&](std::int64_t i) {
     const Vec3 p = disk.position(seeds.radius[i], seeds.azimuth[i]);
-    positions[3 * i] = static_cast<float>(p.x);
-    positions[3 * i + 1] = static_cast<float>(p.y);
+    const double f = isSeen ? nearness(1000 * galaxy.distance, p.z) : 1;
+    positions[3 * i] = static_cast<float>(f * p.x);
+    positions[3 * i + 1] = static_cast<float>(f * p.y);
     positions[3 * i + 2] = static_cast<float>(p.z);
   });
   return positions;

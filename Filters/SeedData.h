@@ -9,9 +9,9 @@
 
 class vtkPolyData;
 
-/// Seeds as vtkPolyData and back: points on the disc, point arrays `Radius`, `Azimuth`,
-/// `Intensity`, `Light`, `Color` and `Draw`; the galaxy's rings and description, the component's
-/// name and what was drawn as field arrays.
+/// Seeds as vtkPolyData and back: points on the disc as the Earth sees them (SightLines), point
+/// arrays `Radius`, `Azimuth`, `Intensity`, `Light`, `Color` and `Draw`; the galaxy's rings and
+/// description, the component's name and what was drawn as field arrays.
 namespace galaxy
 {
 /// The seeds of one component, with all that turning them into particles needs.

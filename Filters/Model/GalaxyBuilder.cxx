@@ -9,6 +9,7 @@
 #include "Filters/Model/ParticleWriter.h"
 #include "Filters/Model/Photometry.h"
 #include "Filters/Model/PixelFill.h"
+#include "Filters/Model/SightLines.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/Model/Spheroid.h"
 #include "Filters/Model/Stopwatch.h"
@@ -125,6 +126,7 @@ public:
     this->placeDisk(index, seeds);
     this->proceed();
     this->smooth(index, 0);
+    this->showDiskToEarth(0);
     this->particles.components = { infoOf(this->galaxy.components[index]) };
     std::fill(this->particles.component.begin(), this->particles.component.end(), 0);
     return std::move(this->particles);
@@ -261,6 +263,7 @@ private:
     done.seconds.photometry += this->proceed();
     this->smooth(index, first);
     done.light = blockSum(this->particles.intensity, first, this->particles.size());
+    this->showDiskToEarth(first);
     done.seconds.smoothing += this->proceed();
   }
 
@@ -338,7 +341,25 @@ private:
     done.seconds.photometry += this->proceed();
     this->smooth(index, first);
     done.light = blockSum(this->particles.intensity, first, this->particles.size());
+    if (map)
+    {
+      this->showToEarth(first);
+    }
     done.seconds.smoothing += this->proceed();
+  }
+
+  void showDiskToEarth(std::size_t first)
+  {
+    if (hasDiskWithImages(this->galaxy))
+    {
+      this->showToEarth(first);
+    }
+  }
+
+  /// What was placed as the images show it is moved to where it is seen so from Earth.
+  void showToEarth(std::size_t first)
+  {
+    moveToSightLines(1000 * this->galaxy.distance, this->particles, first, this->particles.size());
   }
 
   void smooth(std::size_t index, std::size_t first)

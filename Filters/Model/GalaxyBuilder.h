@@ -42,7 +42,7 @@ struct ComponentReport
   std::vector<ImageReport> images; ///< in the order of its layers
   int bins = 1;               ///< pixels of the images along a side of those that are kept exactly
   double flux = 0;            ///< of its images, whole, less what spheroids take, kpc^2
-  double light = 0;           ///< that the particles carry; the rest lies off the disc
+  double light = 0;           ///< that the particles show to the Earth; the rest lies off the disc
   double smoothingLength = 0; ///< kpc, mean
   StageSeconds seconds;
 };
@@ -59,10 +59,16 @@ struct BuildReport
 /// component in the description's order, but for spheroids that take their light from a disk's
 /// pixels, which stand before it.
 ///
-/// Seen from Earth the particles of a disk with images are their sum: with NormalizeAt::Child the
-/// light on each pixel is its flux to rounding. A lit pixel on the disc that no particle falls on
-/// gets one of its own. Where there are fewer seeds than lit pixels, pixels are first joined 2 x 2
-/// until there are not.
+/// Seen from Earth, at the galaxy's distance D, the particles of a disk with images are their sum:
+/// with NormalizeAt::Child the light on each pixel, L (D/(D - Z))^2 summed over the particles that
+/// are seen on it, is its flux to rounding. A lit pixel on the disc that no particle falls on gets
+/// one of its own. Where there are fewer seeds than lit pixels, pixels are first joined 2 x 2 until
+/// there are not.
+///
+/// Rings and images know of parallel sight lines only. Disks of a galaxy with images, and spheroids
+/// that take their light from those, are therefore built along these and, when finished, moved to
+/// those from Earth (moveToSightLines): in parallel projection they are off their images by Z/D of
+/// the place, and the light by twice that. All else is what the description says, in kpc.
 ///
 /// Throws Error naming the description file and the component or image.
 Particles buildGalaxy(

@@ -69,12 +69,13 @@ inline BuildOptions withVelocities()
   return options;
 }
 
+/// As it is seen from Earth.
 inline double lightOf(const Particles& particles)
 {
   double sum = 0;
-  for (const float intensity : particles.intensity)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    sum += intensity;
+    sum += seenFromEarth(particles, i).light;
   }
   return sum;
 }
@@ -107,13 +108,14 @@ public:
   {
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
-      const Vec3 p = positionOf(particles, i);
+      const SeenParticle seen = seenFromEarth(particles, i, input.description.distance);
       PixelPosition at;
-      if (this->world.skyToPixel(this->frame.planeToSky(p.x, p.y), at) && at.x >= 0.5 &&
-        at.y >= 0.5 && at.x < this->image.width + 0.5 && at.y < this->image.height + 0.5)
+      if (this->world.skyToPixel(this->frame.planeToSky(seen.place.x, seen.place.y), at) &&
+        at.x >= 0.5 && at.y >= 0.5 && at.x < this->image.width + 0.5 &&
+        at.y < this->image.height + 0.5)
       {
         this->light[static_cast<int>(at.y - 0.5) * this->image.width +
-          static_cast<int>(at.x - 0.5)] += particles.intensity[i];
+          static_cast<int>(at.x - 0.5)] += seen.light;
       }
     }
     this->compare(input.rings, input.description);

@@ -6,6 +6,7 @@
 #include "Readers/Formats/GalaxyDescription.h"
 #include "Readers/Formats/Image.h"
 #include "Readers/Formats/RingTable.h"
+#include "Readers/Formats/Vec3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,40 @@ template <typename T>
 bool equalBits(const Buffer<T>& p, const Buffer<T>& q)
 {
   return p.size() == q.size() && std::equal(p.begin(), p.end(), q.begin());
+}
+
+/// A particle as a pinhole camera at the Earth, `distance` Mpc from the galaxy, sees it in the
+/// plane of the sky through the galaxy's centre: there it is in X and Y, as large and as bright as
+/// it looks. Z is its own.
+struct SeenParticle
+{
+  Vec3 place;
+  double smoothingLength;
+  double light;
+};
+
+inline SeenParticle seenFromEarth(
+  const Particles& particles, std::size_t i, double distance = m83Distance)
+{
+  const float* p = &particles.position[3 * i];
+  const double away = 1000 * distance - p[2]; // along the line of sight to the centre
+  const double larger = 1000 * distance / away;
+  return { { p[0] * larger, p[1] * larger, p[2] }, particles.smoothingLength[i] * larger,
+    particles.intensity[i] * larger * larger };
+}
+
+/// All of them.
+inline Particles allSeenFromEarth(Particles particles, double distance = m83Distance)
+{
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    const SeenParticle seen = seenFromEarth(particles, i, distance);
+    particles.position[3 * i] = static_cast<float>(seen.place.x);
+    particles.position[3 * i + 1] = static_cast<float>(seen.place.y);
+    particles.smoothingLength[i] = static_cast<float>(seen.smoothingLength);
+    particles.intensity[i] = static_cast<float>(seen.light);
+  }
+  return particles;
 }
 
 /// A tangent grid about M83 of `pixel` arcsec, turned by `angle` degrees.

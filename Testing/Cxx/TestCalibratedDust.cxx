@@ -103,7 +103,7 @@ double planeRadius(const Pixel& pixel)
 void expectDepth(const Galaxy& input, const Field& depth, double tolerance = 1e-5)
 {
   int compared = 0;
-  for (const Pixel& pixel : pixelsOf(buildGalaxy(input)))
+  for (const Pixel& pixel : pixelsOf(allSeenFromEarth(buildGalaxy(input))))
   {
     if (planeRadius(pixel) < radius - 4 * side)
     {
@@ -169,7 +169,7 @@ TEST(CalibratedDust, FaceOnSumsTheSheetsOfAFold)
   input.description.components[0].particles = 40000;
   const TiltedDisk disk(input.rings, m83Distance);
   int folded = 0;
-  for (const Pixel& pixel : pixelsOf(buildGalaxy(input)))
+  for (const Pixel& pixel : pixelsOf(allSeenFromEarth(buildGalaxy(input))))
   {
     double path = 0;
     const std::vector<DiskPoint> places = skyToDisk(disk, pixel.x, pixel.y);
@@ -198,7 +198,8 @@ TEST(CalibratedDust, FaceOnOfAProfileIsItsOpticalDepth)
     dust.layers.clear();
     dust.profile = DiskProfile::Exponential;
     dust.scaleLength = 2;
-    EXPECT_NEAR(totalOf(buildGalaxy(input)) / (0.8 * whole), 1, 1e-3) << int(calibration);
+    EXPECT_NEAR(totalOf(allSeenFromEarth(buildGalaxy(input))) / (0.8 * whole), 1, 1e-3)
+      << int(calibration);
   }
 }
 
@@ -268,7 +269,7 @@ TEST(CalibratedDust, LightIsDereddenedByTheDustsDepthWhereThereIsDust)
     stars.dustGeometry = geometry;
     input.description.components = { dust, stars };
     int behind = 0, free = 0;
-    for (const Pixel& pixel : pixelsOf(buildGalaxy(input), 1))
+    for (const Pixel& pixel : pixelsOf(allSeenFromEarth(buildGalaxy(input)), 1))
     {
       const double r = planeRadius(pixel);
       const bool isBehind = r > 2 && r < 4;
@@ -301,14 +302,14 @@ TEST(CalibratedDust, CloudsKeepTheWholeCrossSection)
     dust.dust.model = DustModel::Fractal;
     dust.dust.children = 4;
     dust.dust.contrast = 0;
-    const double smoothTotal = totalOf(buildGalaxy(input));
+    const double smoothTotal = totalOf(allSeenFromEarth(buildGalaxy(input)));
     for (const FractalKind kind : { FractalKind::FBm, FractalKind::Ridged })
     {
       for (const double contrast : { 1.0, 3.0, 5.0 })
       {
         dust.dust.noise = kind;
         dust.dust.contrast = contrast;
-        EXPECT_NEAR(totalOf(buildGalaxy(input)) / smoothTotal, 1, 1e-5) << contrast;
+        EXPECT_NEAR(totalOf(allSeenFromEarth(buildGalaxy(input))) / smoothTotal, 1, 1e-5) << contrast;
       }
     }
   }

@@ -18,9 +18,9 @@ double farthest(const Particles& p, const Particles& q, double mirror = 1)
   double most = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
   {
-    Vec3 other = positionOf(q, i);
+    Vec3 other = seenFromEarth(q, i).place;
     other.z *= mirror;
-    most = std::max(most, length(positionOf(p, i) - other));
+    most = std::max(most, length(seenFromEarth(p, i).place - other));
   }
   return most;
 }
@@ -48,7 +48,7 @@ double reach(const Particles& particles)
   double most = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    most = std::max(most, length(positionOf(particles, i)));
+    most = std::max(most, length(seenFromEarth(particles, i).place));
   }
   return most;
 }
@@ -88,8 +88,8 @@ TEST(HardCase, N14_FaceOnTheNodesMeanNothing)
       double sum = 0, cosines[3] = {}, sines[3] = {}, squares = 0, outward = 0;
       for (std::size_t i = 0; i < particles.size(); ++i)
       {
-        const Vec3 p = positionOf(particles, i), v = velocityOf(particles, i);
-        const double light = particles.intensity[i];
+        const auto [p, h, light] = seenFromEarth(particles, i);
+        const Vec3 v = velocityOf(particles, i);
         sum += light;
         squares += light * (p.x * p.x + p.y * p.y);
         for (int m = 0; m < 3; ++m)
@@ -210,7 +210,7 @@ TEST(HardCase, N17_SheetsOfAFoldShareTheFlux)
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     // Without thickness a place's distance from the centre is its ring's radius.
-    const double r = length(positionOf(particles, i));
+    const double r = length(seenFromEarth(particles, i).place);
     const double* nearest = nullptr;
     int sheet = 0;
     for (int k = 0; k < 3; ++k)
@@ -277,7 +277,7 @@ TEST(HardCase, N19_BeyondTheLastRing)
     const Vec3 n = TiltedDisk(rings, m83Distance).frame(5).n;
     for (std::size_t i = 0; i < held.size(); ++i)
     {
-      const Vec3 p = positionOf(held, i);
+      const Vec3 p = seenFromEarth(held, i).place;
       ASSERT_TRUE(length(p) <= 5 || std::abs(dot(p, n)) < 1e-5);
     }
     // Nothing asks for more than the rings: they are the disc's end in either case.

@@ -86,9 +86,9 @@ struct Seen
     this->light = lightOf(particles);
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
-      const Vec3 p = positionOf(particles, i);
-      this->middle = this->middle + particles.intensity[i] / this->light * p;
-      this->xy += particles.intensity[i] / this->light * p.x * p.y;
+      const auto [p, h, light] = seenFromEarth(particles, i);
+      this->middle = this->middle + light / this->light * p;
+      this->xy += light / this->light * p.x * p.y;
     }
   }
   double light = 0;

@@ -111,7 +111,7 @@ TEST(HardCase, N20_NoScaleHeightIsExactlyPlanar)
     std::vector<double> heights;
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
-      const Vec3 p = positionOf(particles, i);
+      const Vec3 p = seenFromEarth(particles, i).place;
       heights.push_back(dot(p, disk.frame(length(p)).n));
     }
     return largest(heights);

@@ -49,7 +49,7 @@ TEST(ModelVelocities, AlongTheLineOfSightAreTheObservedOnesWhateverTheSpin)
         ASSERT_GT(particles.size(), 4000u);
         for (std::size_t i = 0; i < particles.size(); ++i)
         {
-          const Vec3 p = positionOf(particles, i);
+          const Vec3 p = seenFromEarth(particles, i).place;
           const double along = -p.x * sinPA + p.y * cosPA;
           const double across = sense * (-p.x * cosPA - p.y * sinPA) / cosI;
           const double r = std::hypot(along, across);
@@ -76,7 +76,7 @@ TEST(ModelVelocities, ArePerpendicularToTheParticlesOwnRadius)
   ASSERT_GT(placed, 4000u);
   for (std::size_t i = 0; i < placed; ++i)
   {
-    const Vec3 p = positionOf(particles, i), v = velocityOf(particles, i);
+    const Vec3 p = seenFromEarth(particles, i).place, v = velocityOf(particles, i);
     ASSERT_LT(std::abs(dot(p, v)), 1e-5 * length(p) * length(v) + 2e-4);
     // |p|^2 = r^2 + z^2, and the curve does not change by more than 20 km/s a kpc but at the
     // centre.

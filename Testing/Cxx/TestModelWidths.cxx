@@ -35,7 +35,7 @@ std::vector<Place> placesOf(
   std::vector<Place> places;
   for (std::size_t i = first; i < particles.size(); ++i)
   {
-    places.push_back(placeOver(disk, positionOf(particles, i)));
+    places.push_back(placeOver(disk, seenFromEarth(particles, i).place));
   }
   return places;
 }
