@@ -73,7 +73,8 @@ class Scene:
             values = np.squeeze(file[0].data).astype(np.float64)
             self.header = file[0].header
         self.wcs = wcs or WCS(self.header, naxis=2)
-        self.plane = tangent_plane(galaxy["ra"], galaxy["dec"], galaxy["distance"])
+        self.distance = galaxy["distance"]
+        self.plane = tangent_plane(galaxy["ra"], galaxy["dec"], self.distance)
         self.shape = values.shape
         low, high = clip
         intensity = np.clip((values - low) / (high - low), 0, 1)
@@ -114,6 +115,11 @@ class Scene:
         self.points = gt.vtk_to_numpy(data.GetPoints().GetData()).astype(float)
         arrays = data.GetPointData()
         self.light = gt.vtk_to_numpy(arrays.GetArray("Intensity")).astype(float)
+        # As a pinhole camera at the Earth sees them in the plane of the sky through the centre.
+        distance = 1000 * self.distance
+        larger = distance / (distance - self.points[:, 2])
+        self.points[:, :2] *= larger[:, None]
+        self.light *= larger**2
         velocity = arrays.GetArray("Velocity")
         self.velocity = gt.vtk_to_numpy(velocity).astype(float) if velocity else None
         simple.Delete(model)

@@ -252,7 +252,8 @@ class Filters(gt.ProxyTest):
         report = json.loads(str(model.ReportJSON))
         names = ["stars", "young stars", "gas", "dust", "bulge"]
         self.assertEqual([entry["component"] for entry in report], names)
-        component, light = gt.array(model, "Component"), gt.light_of(model)
+        component, away = gt.array(model, "Component"), 4900 - gt.points_of(model)[:, 2]
+        light = gt.light_of(model) * (4900 / away)**2  # as the Earth sees it
         totals = np.bincount(component, light, len(names))
         for index, entry in enumerate(report):
             self.assertEqual(entry["particles"], np.count_nonzero(component == index))
