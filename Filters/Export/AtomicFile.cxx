@@ -4,11 +4,13 @@
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,9 +20,54 @@ namespace
 {
 /// Of links to links; the system follows no more.
 constexpr int mostLinks = 40;
+const std::string temporaryStart = ".galaxy-";
+
+/// A name of this process's and of nothing else's. It is short, for that of the file itself may be
+/// as long as the system allows.
+std::string temporaryIn(const std::string& folder)
+{
+  static std::atomic<unsigned> count{ 0 };
+  return folder + "/" + temporaryStart + std::to_string(getpid()) + "-" + std::to_string(count++);
+}
+
+bool isTemporary(const std::string& name)
+{
+  const std::size_t start = temporaryStart.size(), dash = name.find('-', start);
+  const auto isNumber = [&name](std::size_t first, std::size_t last) {
+    return first < last && std::all_of(name.begin() + first, name.begin() + last, [](char c) {
+      return c >= '0' && c <= '9';
+    });
+  };
+  return name.compare(0, start, temporaryStart) == 0 && dash != std::string::npos &&
+    isNumber(start, dash) && isNumber(dash + 1, name.size());
+}
+
+bool isLinked(int descriptor)
+{
+  struct stat status;
+  return fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+}
+
+/// Removes what writers that were killed have left in a folder: nobody holds its lock.
+void sweep(const std::string& folder)
+{
+  for (const std::string& name : namesIn(folder))
+  {
+    const std::string path = folder + "/" + name;
+    const int left = isTemporary(name) ? open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC) : -1;
+    if (left >= 0)
+    {
+      if (flock(left, LOCK_EX | LOCK_NB) == 0)
+      {
+        unlink(path.c_str());
+      }
+      close(left);
+    }
+  }
+}
 } // namespace
 
-AtomicFile::AtomicFile(const std::string& file)
+AtomicFile::AtomicFile(const std::string& file, Until until)
   : file(file)
   , target(file)
 {
@@ -42,26 +89,85 @@ AtomicFile::AtomicFile(const std::string& file)
       (fs::is_directory(status) ? "is a folder" : "is not a regular file") +
         std::string("; choose another name"));
   }
-  this->create();
+  this->create(until);
   this->takePermissions();
 }
 
-void AtomicFile::create()
+void AtomicFile::create(Until until)
 {
-  // O_EXCL: two writers of one file must not share a temporary.
-  // Its name is short, for that of the file itself may be as long as the system allows.
-  const std::string stem = folderOf(this->target) + "/.galaxy-" + std::to_string(getpid()) + "-";
+  sweep(folderOf(this->target));
   const bool isThere = access(this->target.c_str(), F_OK) == 0;
   const mode_t mode = isThere ? 0600 : 0666; // until takePermissions
-  for (int attempt = 0; this->descriptor < 0; ++attempt)
+  if (until == Until::Named || !this->createUnnamed(mode))
   {
-    this->temporary = stem + std::to_string(attempt);
+    this->createNamed(mode);
+  }
+}
+
+/// False where the file system does not know such files, or nothing shows them.
+bool AtomicFile::createUnnamed(unsigned mode)
+{
+#ifdef O_TMPFILE
+  const std::string folder = folderOf(this->target);
+  this->descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+  this->temporary = temporaryIn(folder);
+  if (this->descriptor >= 0 && access(this->path().c_str(), F_OK) == 0)
+  {
+    return true;
+  }
+  if (this->descriptor >= 0)
+  {
+    close(this->descriptor);
+    this->descriptor = -1;
+  }
+#endif
+  return false;
+}
+
+void AtomicFile::createNamed(unsigned mode)
+{
+  // O_EXCL: two writers of one file must not share a temporary.
+  while (!this->isNamed)
+  {
+    this->temporary = temporaryIn(folderOf(this->target));
     this->descriptor = open(this->temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (this->descriptor < 0 && errno != EEXIST)
+    if (this->descriptor >= 0)
+    {
+      // Who swept the folder may have taken it before it was locked.
+      flock(this->descriptor, LOCK_EX);
+      this->isNamed = isLinked(this->descriptor);
+      if (!this->isNamed)
+      {
+        close(this->descriptor);
+        this->descriptor = -1;
+      }
+    }
+    else if (errno != EEXIST)
     {
       this->fail(errno);
     }
   }
+}
+
+/// What has no name gets the temporary one.
+void AtomicFile::nameIt()
+{
+  flock(this->descriptor, LOCK_EX);
+  while (!this->isNamed)
+  {
+    this->isNamed = linkat(AT_FDCWD, this->path().c_str(), AT_FDCWD, this->temporary.c_str(),
+                      AT_SYMLINK_FOLLOW) == 0;
+    if (!this->isNamed && errno != EEXIST)
+    {
+      this->fail(errno);
+    }
+    this->temporary = this->isNamed ? this->temporary : temporaryIn(folderOf(this->target));
+  }
+}
+
+std::string AtomicFile::path() const
+{
+  return this->isNamed ? this->temporary : "/proc/self/fd/" + std::to_string(this->descriptor);
 }
 
 /// Those of the file that is to be replaced, as far as the system lets one: only root can give a
@@ -79,13 +185,13 @@ void AtomicFile::takePermissions()
 
 AtomicFile::~AtomicFile()
 {
-  if (this->descriptor >= 0)
-  {
-    close(this->descriptor);
-  }
-  if (!this->temporary.empty())
+  if (this->isNamed)
   {
     unlink(this->temporary.c_str());
+  }
+  if (this->descriptor >= 0)
+  {
+    close(this->descriptor); // and with it the lock
   }
 }
 
@@ -123,17 +229,7 @@ void AtomicFile::writeAt(std::uint64_t offset, const void* data, std::size_t byt
 
 void AtomicFile::sync()
 {
-  if (this->descriptor < 0)
-  {
-    return;
-  }
   if (fsync(this->descriptor) != 0)
-  {
-    this->fail(errno);
-  }
-  const int closed = close(this->descriptor);
-  this->descriptor = -1;
-  if (closed != 0)
   {
     this->fail(errno);
   }
@@ -142,11 +238,14 @@ void AtomicFile::sync()
 void AtomicFile::commit()
 {
   this->sync();
+  this->nameIt();
   if (rename(this->temporary.c_str(), this->target.c_str()) != 0)
   {
     this->fail(errno);
   }
-  this->temporary.clear();
+  this->isNamed = false;
+  close(this->descriptor);
+  this->descriptor = -1;
   syncFolder(folderOf(this->target)); // with which the rename reaches the disk; whole it is anyway
 }
 

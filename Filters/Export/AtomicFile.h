@@ -20,15 +20,23 @@ public:
   }
 };
 
-/// A file that appears whole or not at all. It is written under a temporary name beside its place,
-/// and `commit` puts it there once it is safely on disk; without a commit the temporary file goes
-/// with the object, and a file that was there before stays as it was; its owner and permissions
-/// pass on to the new one. Every function throws Error naming the file and the system's cause.
+/// A file that appears whole or not at all. Until `commit` puts it in its place, once it is safely
+/// on disk, it has no name, where the file system knows such files, and goes with the process that
+/// writes it, however that ends. Elsewhere it has a temporary name beside its place, under a lock;
+/// what is not locked there, because its writer was killed, is removed by the next one. Without a
+/// commit a file that was there before stays as it was; its owner and permissions pass on to the
+/// new one. Every function throws Error naming the file and the system's cause.
 class AtomicFile
 {
 public:
+  enum class Until
+  {
+    Unnamed, ///< where the file system knows such files
+    Named,
+  };
+
   /// A symbolic link is written through; what is there and no regular file is refused.
-  explicit AtomicFile(const std::string& file);
+  explicit AtomicFile(const std::string& file, Until until = Until::Unnamed);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -38,7 +46,7 @@ public:
   /// Appends.
   void write(const void* data, std::size_t bytes);
   void writeAt(std::uint64_t offset, const void* data, std::size_t bytes);
-  /// Brings all to the disk; nothing more can be written then. `commit` does so by itself.
+  /// Brings all to the disk. `commit` does so by itself.
   void sync();
   void commit();
 
@@ -46,17 +54,23 @@ public:
   const std::string& name() const { return this->file; }
   /// Where it will be: behind the symbolic links.
   const std::string& place() const { return this->target; }
-  /// Where the bytes go until the commit.
+  /// A name beside its place that nobody else has; until the commit the file may have it.
   const std::string& temporaryName() const { return this->temporary; }
+  /// By which the file can be opened until the commit.
+  std::string path() const;
 
 private:
   [[noreturn]] void fail(int code) const;
-  void create();
+  void create(Until until);
+  bool createUnnamed(unsigned mode);
+  void createNamed(unsigned mode);
+  void nameIt();
   void takePermissions();
 
   std::string file;
   std::string target;
   std::string temporary;
+  bool isNamed = false;
   int descriptor = -1;
   std::uint64_t end = 0;
 };

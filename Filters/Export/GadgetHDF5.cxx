@@ -148,7 +148,7 @@ void writeGadgetHDF5(
   // its few tables need, with a mebibyte to spare, is therefore looked for before.
   AtomicFile target(file);
   target.reserve(total + (1 << 20));
-  HDF5File layout(target.temporaryName(), file);
+  HDF5File layout(target.path(), file);
   writeHeader(order, layout);
   writeComponents(table.components, layout);
   const std::vector<Extent> extents = makeGroups(order, fields, layout);

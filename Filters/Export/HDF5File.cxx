@@ -59,7 +59,14 @@ HDF5File::HDF5File(const std::string& path, const std::string& name)
   H5Eget_auto2(H5E_DEFAULT, &this->printer, &this->printerData);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   HDF5Handle list(untimed(H5Pcreate(H5P_FILE_CREATE)), H5Pclose);
-  this->file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, list, H5P_DEFAULT);
+  // By C streams: HDF5's own descriptors resolve links first, and what a file without a name is
+  // reached by is one. What is being written has a lock already.
+  HDF5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_stdio(access);
+#if H5_VERSION_GE(1, 10, 7) && !(H5_VERS_MINOR == 12 && H5_VERS_RELEASE == 0)
+  H5Pset_file_locking(access, false, true);
+#endif
+  this->file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, list, access);
   if (this->file < 0)
   {
     H5Eset_auto2(H5E_DEFAULT, this->printer, this->printerData);

@@ -1,10 +1,13 @@
 #include "Testing/Cxx/ExportFixtures.h"
 
+#include "Filters/Export/AtomicFile.h"
 #include "Filters/Export/GadgetBinary.h"
 
 #include <limits>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace galaxy::testing
 {
@@ -126,6 +129,64 @@ TEST_F(TestExportFiles, ALinkIsWrittenThrough)
   ASSERT_TRUE(exportTo(this->path("link"), tableOf(particles), ParticleFormat::CSV));
   EXPECT_TRUE(std::filesystem::is_symlink(this->folder / "link"));
   EXPECT_TRUE(std::filesystem::is_regular_file(this->folder / "there" / "model"));
+}
+
+namespace
+{
+/// Writes a file anew for ever.
+[[noreturn]] void writeOn(const std::string& file, AtomicFile::Until until)
+{
+  const std::vector<char> content(1 << 16, 'x');
+  for (;;)
+  {
+    AtomicFile target(file, until);
+    for (int k = 0; k < 20; ++k)
+    {
+      target.write(content.data(), content.size());
+    }
+    target.commit();
+  }
+}
+} // namespace
+
+TEST_F(TestExportFiles, WhoIsKilledLeavesNothing)
+{
+  for (const AtomicFile::Until until : { AtomicFile::Until::Unnamed, AtomicFile::Until::Named })
+  {
+    SCOPED_TRACE(static_cast<int>(until));
+    const std::string file = this->oldFile();
+    for (int turn = 0; turn < 20; ++turn)
+    {
+      const pid_t child = fork();
+      if (child == 0)
+      {
+        writeOn(file, until);
+      }
+      usleep(1000 + 700 * turn);
+      kill(child, SIGKILL);
+      waitpid(child, nullptr, 0);
+      const std::size_t size = contentOf(file).size();
+      EXPECT_TRUE(size == 14 || size == 20 << 16) << size;
+    }
+    AtomicFile(file, until).commit(); // what had a name goes with the next one
+    EXPECT_EQ(this->filesThere(), 1u);
+  }
+}
+
+TEST_F(TestExportFiles, WhatIsBeingWrittenStays)
+{
+  const std::string file = this->path("model");
+  AtomicFile first(file, AtomicFile::Until::Named), second(file, AtomicFile::Until::Named);
+  first.write("first", 5);
+  second.write("second", 6);
+  second.commit();
+  EXPECT_EQ(contentOf(file), "second");
+  first.commit();
+  EXPECT_EQ(contentOf(file), "first");
+  EXPECT_EQ(this->filesThere(), 1u);
+  std::ofstream(this->path(".galaxy-mine")) << "no temporary file";
+  AtomicFile(file).commit();
+  EXPECT_EQ(this->filesThere(), 2u);
 }
 
 TEST_F(TestExportFiles, ANameAsLongAsTheSystemAllows)
