@@ -36,9 +36,17 @@ def arguments(documentation, frames, size):
     parser.add_argument("folder", help="where the frames and the video go")
     parser.add_argument("--frames", type=int, default=frames, help=f"default {frames}")
     parser.add_argument("--size", default=size, help=f"WIDTHxHEIGHT in pixels, default {size}")
-    parser.add_argument("--rate", type=float, default=25, help="frames a second, default 25")
+    parser.add_argument("--rate", type=positive, default=25, help="frames a second, default 25")
     parser.add_argument("--particle-scale", type=float, default=1, help="default 1")
     return parser
+
+
+def positive(text):
+    """A finite number above 0, for argparse."""
+    number = float(text)
+    if not 0 < number < float("inf"):
+        raise ValueError(text)
+    return number
 
 
 def size_of(text):
@@ -106,7 +114,7 @@ def digest(*paths):
     """What files hold, folders with all that is in them, as a short text."""
     total = hashlib.sha256()
     for path in paths:
-        inside = sorted(glob.glob(os.path.join(path, "**"), recursive=True))
+        inside = sorted(glob.glob(os.path.join(glob.escape(path), "**"), recursive=True))
         for file in inside if os.path.isdir(path) else [path]:
             if os.path.isfile(file) and "__pycache__" not in file:
                 with open(file, "rb") as stream:
@@ -142,6 +150,8 @@ class Movie:
         scripts = digest(__file__, gp.__file__)
         self.about = {"scene": scene, "cameras": cameras, "shared scripts": scripts}
         os.makedirs(folder, exist_ok=True)
+        for part in glob.glob(os.path.join(glob.escape(folder), ".*.part")):
+            os.remove(part)  # of a script that was killed
         self._start_over_where_changed()
 
     def frame(self, k):
@@ -158,6 +168,7 @@ class Movie:
         print(f"{count - len(missing)} of {count} frames are there already", flush=True)
         if not missing:
             return
+        self._try_encoder()
         paint = painter()
         start = time.time()
         for done, k in enumerate(missing, 1):
@@ -173,19 +184,40 @@ class Movie:
         if not shutil.which("ffmpeg"):
             print("No video: ffmpeg is not installed (apt install ffmpeg, then run this again).")
             return None
-        pattern = os.path.join(self.folder, "frame-%05d.png")
-        even = "scale=trunc(iw/2)*2:trunc(ih/2)*2"  # what H.264 asks for
-        _whole(video, lambda path: subprocess.run(
-            ["ffmpeg", "-y", "-v", "error", "-framerate", str(rate), "-i", pattern, "-vf", even,
-             "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-f", "mp4", path],
-            check=True, stdin=subprocess.DEVNULL))
+        frames = ["-framerate", str(rate), "-i", "file:frame-%05d.png"]
+        _whole(video, lambda path: self._ffmpeg(frames, path))
         print("Video: " + video)
         return video
+
+    def _ffmpeg(self, source, path):
+        """Encodes what ffmpeg's options `source` say. It runs in the folder, so that no name of
+        a folder can look to it like a pattern or a protocol."""
+        even = "scale=trunc(iw/2)*2:trunc(ih/2)*2"  # what H.264 asks for
+        subprocess.run(
+            [os.path.abspath(shutil.which("ffmpeg")), "-y", "-v", "error", *source, "-vf", even,
+             "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-f", "mp4",
+             "file:" + os.path.basename(path)],
+            check=True, stdin=subprocess.DEVNULL, cwd=self.folder)
+
+    def _try_encoder(self):
+        """Says before the frames are drawn that no video of them can be made."""
+        if not shutil.which("ffmpeg"):
+            print("There will be no video: ffmpeg is not installed (apt install ffmpeg).")
+            return
+        trial = os.path.join(self.folder, ".trial.mp4.part")
+        try:
+            self._ffmpeg(["-f", "lavfi", "-i", "color=size=64x64:duration=0.1"], trial)
+        except subprocess.CalledProcessError as error:
+            raise SystemExit("ffmpeg cannot make a video (see above); install one that has libx264, "
+                             "or take it from PATH for frames without a video") from error
+        finally:
+            if os.path.exists(trial):
+                os.remove(trial)
 
     def _start_over_where_changed(self):
         path = os.path.join(self.folder, "movie.json")
         text = json.dumps(self.about, indent=1, sort_keys=True)
-        frames = glob.glob(os.path.join(self.folder, "frame-*.png"))
+        frames = glob.glob(os.path.join(glob.escape(self.folder), "frame-*.png"))
         try:
             with open(path, encoding="utf-8") as file:
                 same = file.read() == text

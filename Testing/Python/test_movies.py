@@ -103,6 +103,43 @@ class Parts(unittest.TestCase):
             movie.draw(lambda: lambda camera: Broken())
         self.assertEqual(os.listdir(self.folder), ["movie.json"])
 
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_a_folder_may_have_any_name(self):
+        before = os.getcwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        image = Image.new("RGB", (16, 16), "white")
+        for name in ("100%", "%05d", "a:b", "http:x", "[ab]*?", "two\nlines", "-y",
+                     os.path.join(self.folder, "at %d:x")):
+            for _ in range(2):  # what is there is found again
+                movie = gm.Movie(name, {}, [{"CameraViewAngle": 30.0}] * 2)
+                movie.draw(lambda: lambda _: image)
+                self.assertEqual(movie.missing(), [])
+            video = movie.encode("video.mp4", 25)
+            self.assertGreater(os.path.getsize(video), 500, name)
+            self.assertEqual(sorted(os.listdir(name)), [
+                "frame-00000.png", "frame-00001.png", "movie.json", "video.mp4"])
+            movie = gm.Movie(name, {"scene": "another"}, [])
+            self.assertEqual(sorted(os.listdir(name)), ["movie.json", "video.mp4"])
+
+    def test_an_ffmpeg_that_cannot_is_told_of_before_frames_are_drawn(self):
+        false = os.path.join(self.folder, "ffmpeg")
+        with open(false, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\nexit 1\n")
+        os.chmod(false, 0o755)
+        movie = gm.Movie(os.path.join(self.folder, "movie"), {}, [{"CameraViewAngle": 30.0}])
+        with unittest.mock.patch.dict(os.environ, PATH=self.folder + ":" + os.environ["PATH"]):
+            with self.assertRaises(SystemExit) as refused:
+                movie.draw(self.fail)
+        self.assertIn("libx264", str(refused.exception))
+        self.assertEqual(os.listdir(movie.folder), ["movie.json"])
+
+    def test_what_a_killed_script_has_left_goes(self):
+        with open(os.path.join(self.folder, ".frame-00003.png.part"), "w", encoding="utf-8"):
+            pass
+        gm.Movie(self.folder, {}, [])
+        self.assertEqual(os.listdir(self.folder), ["movie.json"])
+
     def test_without_ffmpeg_the_frames_are_all(self):
         movie = gm.Movie(self.folder, {}, [])
         with unittest.mock.patch.dict(os.environ, PATH=self.folder):
@@ -116,6 +153,9 @@ class Parts(unittest.TestCase):
             self.assertIn(size, str(refused.exception))
         with self.assertRaises(SystemExit):
             gm.times(0)
+        for rate in ("0", "-25", "nan", "inf", "x"):
+            with self.assertRaises(ValueError):
+                gm.positive(rate)
 
     def test_another_path_starts_over(self):
         camera = {"CameraViewAngle": 30.0}
