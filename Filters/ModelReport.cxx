@@ -31,7 +31,7 @@ void addImage(const ImageReport& image, std::ostream& text)
   {
     text << ", clip " << (*image.clip)[0] << " to " << (*image.clip)[1] << " over the background";
   }
-  text << "\n";
+  text << (image.note.empty() ? "" : "; ") << printed(image.note) << "\n";
 }
 
 Json toJson(const ImageReport& image)
@@ -39,6 +39,10 @@ Json toJson(const ImageReport& image)
   Json json = { { "image", image.name }, { "background", image.sky.level },
     { "scatter", image.sky.scatter } };
   json["clip"] = image.clip ? Json(*image.clip) : Json();
+  if (!image.note.empty())
+  {
+    json["note"] = image.note;
+  }
   return json;
 }
 
@@ -72,8 +76,8 @@ std::string inWords(const BuildReport& report)
   std::ostringstream text;
   for (const ComponentReport& component : report.components)
   {
-    text << std::fixed << std::setprecision(2) << printed(component.name) << ": " << component.particles
-         << " particles of h = " << component.smoothingLength << " kpc";
+    text << std::fixed << std::setprecision(2) << printed(component.name) << ": "
+         << component.particles << " particles of h = " << component.smoothingLength << " kpc";
     if (component.seedsDrawn > 0)
     {
       text << " from " << component.seedsKept << " of " << component.seedsDrawn << " seeds";

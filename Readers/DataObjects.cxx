@@ -174,6 +174,10 @@ void toImageData(const Image& image, vtkImageData* output)
   setFieldInteger(output, "AxisX", image.axes[0]);
   setFieldInteger(output, "AxisY", image.axes[1]);
   setFieldString(output, "Unit", image.unit);
+  if (!image.note.empty())
+  {
+    setFieldString(output, "Note", image.note);
+  }
   setFieldString(output, "File", image.file);
 }
 
@@ -182,6 +186,10 @@ Image toImage(vtkImageData* input)
   Image image;
   image.file = fieldString(input, "File", "image");
   image.unit = fieldString(input, "Unit", image.file);
+  if (input->GetFieldData()->GetAbstractArray("Note"))
+  {
+    image.note = fieldString(input, "Note", image.file);
+  }
   image.axes = { fieldInteger(input, "AxisX", 1), fieldInteger(input, "AxisY", 2) };
   int size[3];
   input->GetDimensions(size);

@@ -15,8 +15,8 @@ class vtkPolyData;
 /// Between the plain structs of Readers/Formats and VTK's data objects, both ways.
 namespace galaxy
 {
-/// Point array `Intensity`, field arrays `FITSHeader` (a card a value) and `Unit`; points lie at
-/// FITS pixel coordinates.
+/// Point array `Intensity`, field arrays `FITSHeader` (a card a value), `Unit` and, where reading
+/// did more than the standard's scaling, `Note`; points lie at FITS pixel coordinates.
 void toImageData(const Image& image, vtkImageData* output);
 /// The inverse. Throws Error where an array is missing.
 Image toImage(vtkImageData* input);

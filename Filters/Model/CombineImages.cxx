@@ -4,10 +4,10 @@
 #include "Filters/Model/Median.h"
 #include "Filters/Model/Regrid.h"
 #include "Readers/Formats/Beam.h"
+#include "Readers/Formats/BrightnessUnit.h"
 #include "Readers/Formats/Error.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace galaxy
@@ -32,13 +32,6 @@ double pixelSize(const SkyGrid& grid)
   };
   return 3600 *
     std::sqrt(std::abs(east(right) * (up.dec - here.dec) - east(up) * (right.dec - here.dec)));
-}
-
-bool saysPerBeam(std::string unit)
-{
-  std::transform(unit.begin(), unit.end(), unit.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return unit.find("beam") != std::string::npos;
 }
 
 /// The box, in the first grid's pixels, that all of the images lie in.
@@ -210,6 +203,7 @@ Resolution resolutionOf(
   }
   else if (beam)
   {
+    requireBeamInImage(image, *beam, pixelSize(grid));
     resolution.beam = std::sqrt(beam->major * beam->minor);
   }
   else
@@ -217,7 +211,7 @@ Resolution resolutionOf(
     resolution.beam = 3 * pixelSize(grid);
     return resolution;
   }
-  resolution.perBeam = saysPerBeam(image.unit);
+  resolution.perBeam = parseBrightnessUnit(image.unit).kind == BrightnessKind::PerBeam;
   return resolution;
 }
 

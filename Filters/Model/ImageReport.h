@@ -16,6 +16,7 @@ struct ImageReport
   SkyLevel sky; ///< the background that was taken off, and how the empty sky's pixels scatter
   /// Values over the background that became intensity 0 and 1; of a combined image's sources none
   std::optional<std::array<double, 2>> clip;
+  std::string note; ///< what reading did or left out; empty where nothing
 };
 } // namespace galaxy
 

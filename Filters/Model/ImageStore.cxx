@@ -166,7 +166,8 @@ std::vector<ImageReport> ImageStore::reportOf(const ComponentDescription& compon
   const auto add = [&](const std::string& name) -> ImageReport& {
     const auto sky = this->skies.find(name);
     return reports.emplace_back(
-      ImageReport{ name, sky == this->skies.end() ? SkyLevel{} : sky->second, std::nullopt });
+      ImageReport{ name, sky == this->skies.end() ? SkyLevel{} : sky->second, std::nullopt,
+        this->images[this->indexOf(name)].note });
   };
   for (const LayerDescription& layer : component.layers)
   {

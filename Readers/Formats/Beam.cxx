@@ -1,13 +1,18 @@
 #include "Readers/Formats/Beam.h"
 
+#include "Readers/Formats/ClassicLocale.h"
+#include "Readers/Formats/Error.h"
 #include "Readers/Formats/FitsHeader.h"
+#include "Readers/Formats/HistoryBeam.h"
 
 #include <fitsio.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <cstdlib>
+#include <locale>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,28 +31,64 @@ std::optional<Beam> fromDegrees(double major, double minor, double positionAngle
   return Beam{ major * arcsecPerDegree, minor * arcsecPerDegree, positionAngle };
 }
 
-/// The number behind "NAME=" in the text; 0 where there is none.
-double numberBehind(const std::string& text, const std::string& name)
+/// How many degrees one of the unit is that a text names; none where it names none.
+std::optional<double> degreesOf(const std::string& text)
 {
-  const std::size_t at = text.find(name + "=");
-  return at == std::string::npos ? 0 : std::atof(text.c_str() + at + name.size() + 1);
-}
-
-std::optional<Beam> beamOfHistory(const std::string& cards)
-{
-  constexpr std::size_t cardLength = 80;
-  std::optional<Beam> last;
-  for (std::size_t at = 0; at + cardLength <= cards.size(); at += cardLength)
+  struct Unit
   {
-    const std::string card = cards.substr(at, cardLength);
-    if (card.rfind("HISTORY", 0) == 0 && card.find("BMAJ=") != std::string::npos)
+    const char* word;
+    double degrees;
+  };
+  constexpr double perRadian = 57.295779513082320877;
+  static const Unit units[] = { { "MAS", 1 / 3.6e6 }, { "MARCSEC", 1 / 3.6e6 },
+    { "MILLIARCSEC", 1 / 3.6e6 }, { "ARCSEC", 1 / 3600. }, { "ASEC", 1 / 3600. },
+    { "ARCMIN", 1 / 60. }, { "AMIN", 1 / 60. }, { "DEG", 1 }, { "RAD", perRadian },
+    { "RADIAN", perRadian } };
+  if (text == "\"" || text.find("[\"]") != std::string::npos)
+  {
+    return 1 / arcsecPerDegree;
+  }
+  const std::string capitals = upperCase(text);
+  const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  for (const Unit& unit : units)
+  {
+    const std::string word = unit.word;
+    for (std::size_t at = 0; (at = capitals.find(word, at)) != std::string::npos; ++at)
     {
-      const auto beam = fromDegrees(
-        numberBehind(card, "BMAJ"), numberBehind(card, "BMIN"), numberBehind(card, "BPA"));
-      last = beam ? beam : last;
+      // A word of its own, but for a plural or what is written out: arcseconds, degrees.
+      const std::size_t end = at + word.size();
+      const bool isShort = word == "MAS" || word == "RAD" || word == "RADIAN";
+      const bool ends = end == capitals.size() || !isLetter(capitals[end]) ||
+        (word == "RADIAN" ? capitals[end] == 'S' : !isShort);
+      if (ends && (at == 0 || !isLetter(capitals[at - 1])))
+      {
+        return unit.degrees;
+      }
     }
   }
-  return last;
+  return std::nullopt;
+}
+
+/// A length in degrees: of "10.8" the unit of the comment, of "10.8 arcsec" its own.
+std::optional<double> angleOf(const FitsHeader& header, const std::string& keyword)
+{
+  if (const std::optional<double> number = header.number(keyword))
+  {
+    return *number * degreesOf(header.comment(keyword)).value_or(1);
+  }
+  const std::string text = header.text(keyword).value_or("");
+  const std::size_t end = std::min(text.find_first_of(" \"acdmr"), text.size());
+  const std::optional<double> number = fitsNumber(text.substr(0, end));
+  const std::optional<double> unit = degreesOf(text.substr(end));
+  return number && unit ? std::optional<double>(*number * *unit) : std::nullopt;
+}
+
+std::optional<Beam> beamOfKeywords(const FitsHeader& header, const std::string& major,
+  const std::string& minor, const std::string& positionAngle)
+{
+  const std::optional<double> length = angleOf(header, major);
+  return fromDegrees(length.value_or(0), angleOf(header, minor).value_or(length.value_or(0)),
+    angleOf(header, positionAngle).value_or(0));
 }
 
 /// The median of a column of angles in degrees; 0 where there is none. A channel without data has a
@@ -78,7 +119,7 @@ double medianOfColumn(fitsfile* table, const char* name, bool isAngularSize)
   }
   const auto middle = values.begin() + (valid - values.begin()) / 2;
   std::nth_element(values.begin(), middle, valid);
-  return isAngularSize && std::string(unit) == "arcsec" ? *middle / arcsecPerDegree : *middle;
+  return *middle * degreesOf(unit).value_or(1);
 }
 
 struct CloseFits
@@ -94,6 +135,7 @@ struct CloseFits
 // CASA's table of a beam for each channel and polarization.
 std::optional<Beam> beamOfTable(const std::string& file)
 {
+  const ClassicLocale classic;
   int status = 0;
   fitsfile* opened = nullptr;
   fits_open_diskfile(&opened, file.c_str(), READONLY, &status);
@@ -122,14 +164,30 @@ double Beam::solidAngle() const
 std::optional<Beam> beamOf(const Image& image)
 {
   const FitsHeader header(image.cards);
-  const double major = header.number("BMAJ").value_or(0);
-  const auto beam =
-    fromDegrees(major, header.number("BMIN").value_or(major), header.number("BPA").value_or(0));
-  if (beam)
+  std::optional<Beam> beam = beamOfKeywords(header, "BMAJ", "BMIN", "BPA");
+  beam = beam ? beam : beamOfKeywords(header, "CLEANBMJ", "CLEANBMN", "CLEANBPA");
+  beam = beam ? beam : beamOfHistory(image.cards);
+  return beam ? beam : beamOfTable(image.file);
+}
+
+void requireBeamInImage(const Image& image, const Beam& beam, double pixel)
+{
+  constexpr double most = 3; // a cutout of a few pixels is smaller than its beam
+  const double side = pixel * std::max(image.width, image.height);
+  if (!(side > 0 && beam.minor > most * side))
   {
-    return beam;
+    return;
   }
-  const auto restored = beamOfHistory(image.cards);
-  return restored ? restored : beamOfTable(image.file);
+  const auto rounded = [](double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << value;
+    return text.str();
+  };
+  throw Error(image.file, "BMAJ",
+    "the beam of the header, " + rounded(beam.major) + " by " + rounded(beam.minor) +
+      " arcsec where BMAJ is in degrees, is far wider than the image, " + rounded(side) +
+      " arcsec; give `beam = [bmaj, bmin, bpa]` (arcsec, degrees) for this image in the .galaxy "
+      "file");
 }
 } // namespace galaxy

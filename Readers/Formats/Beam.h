@@ -18,9 +18,14 @@ struct Beam
   double solidAngle() const;
 };
 
-/// From BMAJ, BMIN and BPA (degrees), else from the last HISTORY card of AIPS that has them, else
+/// From BMAJ, BMIN and BPA (or Obit's CLEANBMJ, CLEANBMN and CLEANBPA), in degrees unless value or
+/// comment name another unit, else from the last beam of the HISTORY that AIPS or CASA wrote, else
 /// the median beam of the file's BEAMS table; none where there is none of these.
 std::optional<Beam> beamOf(const Image& image);
+
+/// Throws Error where the beam of the header is far wider than the image, whose pixels are `pixel`
+/// arcsec wide: it is then in another unit than it says.
+void requireBeamInImage(const Image& image, const Beam& beam, double pixel);
 } // namespace galaxy
 
 #endif

@@ -34,13 +34,18 @@ Vec3 direction(const WorldCoordinates& world, const PixelPosition& pixel, const 
   return { std::cos(delta) * std::cos(alpha), std::cos(delta) * std::sin(alpha), std::sin(delta) };
 }
 
-double beamAreaOf(const Image& image, const ImageDescription& description)
+/// `pixel` is the width of one, arcsec.
+double beamAreaOf(const Image& image, const ImageDescription& description, double pixel)
 {
   if (description.beam > 0)
   {
     return Beam{ description.beam, description.beam, 0 }.solidAngle();
   }
   const auto beam = beamOf(image);
+  if (beam)
+  {
+    requireBeamInImage(image, *beam, pixel);
+  }
   return beam ? beam->solidAngle() : 0;
 }
 
@@ -94,8 +99,10 @@ Brightness brightnessOf(const Image& image, const ImageDescription& description)
   Brightness brightness;
   brightness.kind = unit.kind;
   brightness.pixelArea = pixelArea(image, description);
-  brightness.beamArea = beamAreaOf(image, description);
-  if (unit.kind == BrightnessKind::PerBeam && !(brightness.beamArea > 0))
+  const bool isPerBeam = unit.kind == BrightnessKind::PerBeam;
+  brightness.beamArea =
+    isPerBeam ? beamAreaOf(image, description, std::sqrt(brightness.pixelArea)) : 0;
+  if (isPerBeam && !(brightness.beamArea > 0))
   {
     throw Error(image.file, "BMAJ",
       "the unit " + image.unit +

@@ -19,7 +19,7 @@ struct Brightness
   double toColumnDensity = 0; ///< into H I atoms per cm^2, for Jy km/s and K km/s
   std::string surfaceUnit;    ///< "Jy/arcsec2 km/s"
   double pixelArea = 0;       ///< arcsec^2 on the sky, at the image's middle
-  double beamArea = 0;        ///< arcsec^2; 0 where unknown
+  double beamArea = 0;        ///< arcsec^2; 0 where the unit needs none
 };
 
 /// From the image's unit, its coordinates and its beam; the description's beam goes before the

@@ -1,145 +1,56 @@
 #include "Readers/Formats/BrightnessUnit.h"
 
+#include "Readers/Formats/UnitProduct.h"
+
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <cstdlib>
 #include <initializer_list>
-#include <vector>
 
 namespace galaxy
 {
 namespace
 {
-struct Factor
+bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 {
-  std::string name;
-  int power = 1;
-};
-
-struct Product
-{
-  double number = 1;
-  std::vector<Factor> factors;
-
-  /// Takes out the factor of one of these names, small letters, and this power.
-  bool take(std::initializer_list<const char*> names, int power);
-};
-
-std::string lowered(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+  return std::any_of(names.begin(), names.end(), [&](const char* known) { return name == known; });
 }
 
-bool Product::take(std::initializer_list<const char*> names, int power)
+bool endsWith(const std::string& text, const std::string& end)
 {
-  for (auto factor = this->factors.begin(); factor != this->factors.end(); ++factor)
-  {
-    for (const char* name : names)
-    {
-      if (factor->power == power && lowered(factor->name) == name)
-      {
-        this->factors.erase(factor);
-        return true;
-      }
-    }
-  }
-  return false;
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// The whole power behind a name: "2", "-1", "^2", "**(-2)"; moves `at` behind it. 1 where none is.
-int powerAt(const std::string& text, std::size_t& at)
+/// How many Jy or K a name with its prefix is; 0 where it is none. In all capitals, MJY is a
+/// millijansky but per steradian.
+double scaleOf(const std::string& name, const std::string& symbol, bool perSteradian)
 {
-  std::size_t end = at;
-  while (end < text.size() && (text[end] == '^' || text[end] == '*' || text[end] == '('))
+  std::string prefix = name.substr(0, name.size() - symbol.size());
+  const bool capitals = symbol == "Jy" && endsWith(name, "JY");
+  if (prefix == "\xc2\xb5" || prefix == "\xb5" || (capitals && prefix == "U"))
   {
-    ++end;
+    prefix = "u";
   }
-  char* behind = nullptr;
-  const long power = std::strtol(text.c_str() + end, &behind, 10);
-  const std::size_t digits = static_cast<std::size_t>(behind - text.c_str());
-  if (digits == end || (end < text.size() && text[end] == ' ') || std::labs(power) > 99)
+  if (capitals && prefix == "M" && !perSteradian)
   {
-    return 1;
+    prefix = "m";
   }
-  at = digits;
-  return static_cast<int>(power);
-}
-
-/// Names and numbers with their powers; "/" divides by the next one only, as in FITS.
-Product productOf(const std::string& text)
-{
-  Product product;
-  int sign = 1;
-  for (std::size_t at = 0; at < text.size();)
+  if (prefix == "K")
   {
-    const auto c = static_cast<unsigned char>(text[at]);
-    if (std::isdigit(c))
-    {
-      char* behind = nullptr;
-      const double number = std::strtod(text.c_str() + at, &behind);
-      at = static_cast<std::size_t>(behind - text.c_str());
-      product.number *= std::pow(number, sign * powerAt(text, at));
-      sign = 1;
-    }
-    else if (std::isalpha(c) || c >= 0x80)
-    {
-      const std::size_t start = at;
-      while (at < text.size() &&
-        (std::isalpha(static_cast<unsigned char>(text[at])) || (text[at] & 0x80) != 0))
-      {
-        ++at;
-      }
-      const std::string name = text.substr(start, at - start);
-      const int power = powerAt(text, at);
-      product.factors.push_back({ name, sign * power });
-      sign = 1;
-    }
-    else
-    {
-      sign = c == '/' ? -1 : sign;
-      ++at;
-    }
+    prefix = "k";
   }
-  return product;
-}
-
-double scaleOfPrefix(const std::string& prefix)
-{
-  struct Prefix
-  {
-    const char* name;
-    double scale;
-  };
-  static const Prefix prefixes[] = { { "", 1 }, { "m", 1e-3 }, { "u", 1e-6 }, { "\xc2\xb5", 1e-6 },
-    { "n", 1e-9 }, { "k", 1e3 }, { "K", 1e3 }, { "M", 1e6 } };
-  for (const Prefix& known : prefixes)
-  {
-    if (prefix == known.name)
-    {
-      return known.scale;
-    }
-  }
-  return 0;
+  return unitRatio(prefix + symbol, symbol);
 }
 
 /// Takes out a jansky or a kelvin with its prefix; returns its scale, 0 where there is none.
-/// In all capitals, MJY is a millijansky but per steradian.
-double takeQuantity(Product& product, const char* symbol, const char* word, bool perSteradian)
+double takeQuantity(
+  UnitProduct& product, const std::string& symbol, const char* word, bool perSteradian)
 {
   for (auto factor = product.factors.begin(); factor != product.factors.end(); ++factor)
   {
-    const std::string name = lowered(factor->name);
-    const std::size_t length = std::string(symbol).size();
-    double scale = name.rfind(word, 0) == 0 ? 1 : 0;
-    if (name.size() >= length && name.compare(name.size() - length, length, symbol) == 0)
-    {
-      std::string prefix = factor->name.substr(0, name.size() - length);
-      const bool capitals = length > 1 && factor->name.substr(prefix.size()) == "JY";
-      scale = scaleOfPrefix(capitals && prefix == "M" && !perSteradian ? "m" : prefix);
-    }
+    const std::string name = lowerCase(factor->name);
+    const double scale = name.rfind(word, 0) == 0 ? 1
+      : endsWith(name, lowerCase(symbol))         ? scaleOf(factor->name, symbol, perSteradian)
+                                                  : 0;
     if (factor->power == 1 && scale > 0)
     {
       product.factors.erase(factor);
@@ -149,86 +60,114 @@ double takeQuantity(Product& product, const char* symbol, const char* word, bool
   return 0;
 }
 
-bool takeVelocity(Product& product, double& scale)
+/// Takes out a velocity; `scale` becomes km/s.
+bool takeVelocity(UnitProduct& product, double& scale)
 {
-  Product left = product;
-  if (!left.take({ "s", "sec" }, -1))
+  if (product.take({ "kms" }, 1))
   {
-    return false;
+    return true;
   }
-  if (left.take({ "m" }, 1))
+  UnitProduct left = product;
+  const bool isMetre = left.take({ "s", "sec" }, -1) && left.take({ "m" }, 1);
+  if (!isMetre)
   {
-    scale *= 1e-3;
+    left = product;
+    if (!left.take({ "s", "sec" }, -1) || !left.take({ "km" }, 1))
+    {
+      return false;
+    }
   }
-  else if (!left.take({ "km" }, 1))
-  {
-    return false;
-  }
+  scale *= isMetre ? 1e-3 : 1;
   product = left;
   return true;
 }
 
+/// Takes out what a value is per, on the sky. Returns arcsec^2; 0 where it is per no solid angle.
+double takeSolidAngle(UnitProduct& product)
+{
+  constexpr double perDegree = 3600, perArcmin = 60, perRadian = 206264.80624709636;
+  if (product.take({ "sr", "ster", "sterad", "steradian", "steradians" }, -1) ||
+    product.take({ "rad" }, -2))
+  {
+    return perRadian * perRadian;
+  }
+  if (product.take({ "arcsec", "asec", "arcseconds" }, -2) ||
+    product.take({ "sqarcsec", "arcsecsq" }, -1))
+  {
+    return 1;
+  }
+  if (product.take({ "arcmin" }, -2) || product.take({ "sqarcmin" }, -1))
+  {
+    return perArcmin * perArcmin;
+  }
+  UnitProduct left = product;
+  const bool isSquare = left.take({ "sq", "square" }, -1);
+  if (isSquare && (left.take({ "arcsec" }, 1) || left.take({ "arcsec" }, -1))) // "/sq.arcsec"
+  {
+    product = left;
+    return 1;
+  }
+  return product.take({ "deg" }, -2) || product.take({ "sqdeg" }, -1) ? perDegree * perDegree : 0;
+}
+
 bool isCount(const std::string& name)
 {
-  for (const char* known :
-    { "count", "ct", "cts", "adu", "dn", "electron", "photon", "e", "nmgy", "nanomagg" })
+  for (const char* known : { "count", "electron", "photon", "nanomagg", "maggies" })
   {
-    const std::string word = lowered(name);
-    if (word == known || (std::string(known).size() > 3 && word.rfind(known, 0) == 0))
+    if (name.rfind(known, 0) == 0)
     {
       return true;
     }
   }
-  return false;
+  return isOneOf(name, { "ct", "cts", "adu", "dn", "e", "nmgy" });
 }
 
-std::string written(const Product& product)
+/// A flux or a flux density: energy by time and area, by wavelength or frequency as well.
+bool isFlux(const UnitProduct& product)
 {
-  std::string text;
-  for (const Factor& factor : product.factors)
-  {
-    text += factor.power < 0 ? "/" : (text.empty() ? "" : " ");
-    text += factor.name;
-    text += std::abs(factor.power) == 1 ? "" : std::to_string(std::abs(factor.power));
-  }
-  return text;
+  const auto is = [](const UnitFactor& factor, std::initializer_list<const char*> names) {
+    return isOneOf(lowerCase(factor.standard), names);
+  };
+  const bool isEnergy = !product.factors.empty() && product.factors.front().power == 1 &&
+    is(product.factors.front(), { "erg", "ergs", "j", "w", "watt", "watts" });
+  return isEnergy &&
+    std::all_of(product.factors.begin() + 1, product.factors.end(), [&](const UnitFactor& factor) {
+      return factor.power < 0 &&
+        is(factor,
+          { "s", "sec", "cm", "m", "a", "aa", "ang", "angstrom", "nm", "um", "micron", "microns",
+            "hz", "ghz" });
+    });
 }
-/// "(mJy/beam)**2"
-bool isPowerOfAll(const std::string& text)
-{
-  return text.find(")**") != std::string::npos || text.find(")^") != std::string::npos;
-}
-
 bool isLogarithm(const std::string& quantity)
 {
-  return lowered(quantity).rfind("mag", 0) == 0;
+  return lowerCase(quantity).rfind("mag", 0) == 0;
 }
 } // namespace
 
 BrightnessUnit parseBrightnessUnit(const std::string& text)
 {
-  constexpr double squareArcsecPerSteradian = 206264.80624709636 * 206264.80624709636;
-  Product product = productOf(text);
+  UnitProduct product = parseUnitProduct(text);
   BrightnessUnit unit;
-  const bool perBeam = product.take({ "beam", "beams", "bm" }, -1);
-  const bool perSteradian = product.take({ "sr", "ster", "steradian" }, -1);
-  const bool perArcsec = product.take({ "arcsec" }, -2) || product.take({ "sqarcsec" }, -1);
-  const bool perPixel = product.take({ "pixel", "pix", "pixels" }, -1);
-  unit.scale = product.number / (perSteradian ? squareArcsecPerSteradian : 1);
-  const double jansky = takeQuantity(product, "jy", "jansky", perSteradian);
-  const double kelvin = jansky > 0 ? 0 : takeQuantity(product, "k", "kelvin", false);
+  bool perBeam = product.take({ "beam", "beams", "bm" }, -1);
+  const bool perSteradian = UnitProduct(product).take({ "sr", "ster", "sterad" }, -1);
+  const double solidAngle = takeSolidAngle(product);
+  const bool perPixel = product.take({ "pixel", "pix", "pixels", "pxl", "spaxel", "spaxels" }, -1);
+  const double jansky = takeQuantity(product, "Jy", "jansky", perSteradian);
+  perBeam = perBeam || (jansky > 0 && product.take({ "b" }, -1)); // AIPS
+  const double kelvin = jansky > 0 ? 0 : takeQuantity(product, "K", "kelvin", false);
+  unit.scale = product.number / (solidAngle > 0 ? solidAngle : 1);
   const bool isVelocity = jansky == 0 && kelvin == 0 && !perBeam;
   unit.isIntegrated = !isVelocity && takeVelocity(product, unit.scale);
   product.take({ "tmb", "ta", "tb" }, 1);
   unit.scale *= jansky > 0 ? jansky : (kelvin > 0 ? kelvin : 1);
 
-  const std::string rest = written(product);
+  const std::string rest = product.written();
   unit.quantity = (jansky > 0 ? "Jy" : kelvin > 0 ? "K" : "") + rest;
-  if (isPowerOfAll(text) || isLogarithm(rest))
+  if (product.hasPowerOfAll || isLogarithm(rest))
   {
     unit.kind = BrightnessKind::NotBrightness;
   }
-  else if (perBeam || perSteradian || perArcsec || perPixel)
+  else if (perBeam || solidAngle > 0 || perPixel)
   {
     unit.kind = perBeam ? BrightnessKind::PerBeam
       : perPixel        ? BrightnessKind::PerPixel
@@ -240,8 +179,9 @@ BrightnessUnit parseBrightnessUnit(const std::string& text)
   }
   else
   {
-    const bool counts = rest.empty() || isCount(product.factors.front().name);
-    unit.kind = counts ? BrightnessKind::PerPixel : BrightnessKind::NotBrightness;
+    const bool isAmount =
+      rest.empty() || isCount(lowerCase(product.factors.front().name)) || isFlux(product);
+    unit.kind = isAmount ? BrightnessKind::PerPixel : BrightnessKind::NotBrightness;
   }
   return unit;
 }

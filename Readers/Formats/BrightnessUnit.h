@@ -24,9 +24,9 @@ struct BrightnessUnit
   bool isIntegrated = false; ///< over velocity, km/s
 };
 
-/// Reads a unit as programs write it: "Jy/beam", "JY/BEAM", "mJy beam-1", "Jy/beam*m/s",
-/// "Jy/beam.km/s", "K km/s", "MJy/sr", "Jy/pixel", "ELECTRONS/S". No unit, and counts of any name,
-/// are per pixel.
+/// Reads a unit as programs write it: "Jy/beam", "JY/BEAM", "mJy beam-1", "JY/B*M/S",
+/// "Jy/beam.km/s", "K km/s", "MJy/sr", "Jy/pixel", "ELECTRONS/S", "10**(-20) erg/s/cm**2/Angstrom".
+/// No unit, counts of any name and fluxes are per pixel.
 BrightnessUnit parseBrightnessUnit(const std::string& text);
 } // namespace galaxy
 

@@ -1,6 +1,8 @@
 #include "Readers/Formats/FitsFile.h"
 
+#include "Readers/Formats/AsinhScale.h"
 #include "Readers/Formats/AvailableMemory.h"
+#include "Readers/Formats/ClassicLocale.h"
 #include "Readers/Formats/FitsBytes.h"
 #include "Readers/Formats/FitsCube.h"
 #include "Readers/Formats/FitsHandle.h"
@@ -43,6 +45,21 @@ std::string readCards(const FitsHandle& fits)
   return cards;
 }
 
+/// What the image's users may want to know of how it was read.
+std::string noteOf(const FitsHeader& header)
+{
+  std::string note =
+    AsinhScale::of(header) ? "asinh magnitudes made linear (BSOFTEN, BOFFSET)" : "";
+  for (const char* keyword : { "CPDIS1", "CPDIS2", "D2IMDIS1", "D2IMDIS2" })
+  {
+    if (upperCase(header.text(keyword).value_or("")) == "LOOKUP")
+    {
+      note += std::string(note.empty() ? "" : "; ") + "distortion table " + keyword + " left out";
+    }
+  }
+  return note;
+}
+
 /// The image without its values. Throws Error where they would be too many.
 Image emptyImage(const std::string& file, const FitsHdu& hdu, const FitsPlan& plan)
 {
@@ -64,6 +81,7 @@ Image emptyImage(const std::string& file, const FitsHdu& hdu, const FitsPlan& pl
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
   image.axes = plan.axes;
+  image.note = noteOf(hdu.header);
   image.unit = hdu.header.text("BUNIT").value_or("");
   if (!plan.unitSuffix.empty())
   {
@@ -76,6 +94,7 @@ Image emptyImage(const std::string& file, const FitsHdu& hdu, const FitsPlan& pl
 Image readFitsImage(
   const std::string& file, const FitsSelection& selection, const Progress& progress)
 {
+  const ClassicLocale classic;
   try
   {
     FitsBytes bytes(file);

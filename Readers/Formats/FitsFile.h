@@ -29,7 +29,8 @@ struct FitsSelection
   std::vector<double> maskValues; ///< values that stand for "blank", in the image's own precision
 };
 
-/// Reads one image: every BITPIX, BSCALE/BZERO applied, compressed or not; NaN where it is BLANK,
+/// Reads one image: every BITPIX, BSCALE/BZERO applied, the asinh magnitudes of Pan-STARRS stacks
+/// made linear (Image::note says so), compressed or not; NaN where it is BLANK,
 /// infinite, or one of the mask values. In a mean and an integral, blank pixels are left out; where
 /// all are blank the image is.
 /// `progress` is told the part read; Aborted is thrown where it ends the reading.

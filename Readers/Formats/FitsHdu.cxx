@@ -2,6 +2,7 @@
 
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/FitsFile.h"
+#include "Readers/Formats/FitsRefusal.h"
 #include "Readers/Formats/FitsTiles.h"
 
 #include <algorithm>
@@ -190,25 +191,68 @@ void checkPromise(const FitsBytes& bytes, const FitsHdu& hdu)
   }
 }
 
-[[noreturn]] void failAtMissingHdu(
-  const FitsBytes& bytes, const FitsSelection& selection, int count)
+/// "HDU 1 'EVENTS'"
+std::string nameOf(const FitsHdu& hdu)
 {
-  if (count == 0)
+  const std::string extension = hdu.header.text("EXTNAME").value_or("");
+  return nameOf(hdu.number) + (extension.empty() ? "" : " '" + extension + "'");
+}
+
+/// The extensions that the file has, for messages.
+std::string extensionsOf(const std::vector<FitsHdu>& hdus)
+{
+  std::string names;
+  for (const FitsHdu& hdu : hdus)
   {
-    throw Error(
-      bytes.file, "", "not readable as FITS: it does not begin with SIMPLE; choose a FITS file");
+    const std::string name = hdu.header.text("EXTNAME").value_or("");
+    names += name.empty() ? "" : (names.empty() ? "'" : ", '") + name + "'";
+  }
+  return names.empty() ? "the file has none" : "choose from " + names;
+}
+
+[[noreturn]] void failWithoutImage(const FitsBytes& bytes, const std::vector<FitsHdu>& hdus)
+{
+  for (const FitsHdu& hdu : hdus)
+  {
+    if (const std::string content = otherContent(hdu); !content.empty())
+    {
+      throw Error(bytes.file, "",
+        "holds no image of two or more axes: " + nameOf(hdu) + " is " + content + cureOf(hdu));
+    }
+  }
+  throw Error(bytes.file, "", "holds no image of two or more axes; choose another file");
+}
+
+[[noreturn]] void failAtMissingHdu(
+  FitsBytes& bytes, const FitsSelection& selection, const std::vector<FitsHdu>& hdus)
+{
+  constexpr std::size_t opening = 512;
+  if (hdus.empty())
+  {
+    throw Error(bytes.file, "", notFits(bytes.read(0, opening)));
   }
   if (!selection.extension.empty())
   {
     throw Error(bytes.file, "extension '" + selection.extension + "'",
-      "not found; choose an EXTNAME that the file has");
+      "not found; choose an EXTNAME that the file has, " + extensionsOf(hdus));
   }
   if (selection.hdu >= 0)
   {
     throw Error(bytes.file, nameOf(selection.hdu),
-      "not found; choose from 0 to " + std::to_string(count - 1));
+      "not found; choose from 0 to " + std::to_string(hdus.size() - 1));
   }
-  throw Error(bytes.file, "", "holds no image of two or more axes; choose another file");
+  failWithoutImage(bytes, hdus);
+}
+
+[[noreturn]] void failAtNoImage(
+  const FitsBytes& bytes, const FitsSelection& selection, const FitsHdu& hdu)
+{
+  const std::string content = otherContent(hdu);
+  throw Error(bytes.file,
+    selection.extension.empty() ? nameOf(hdu.number) : "extension '" + selection.extension + "'",
+    "holds no image of two or more axes" + (content.empty() ? "" : ", it is " + content) +
+      (content.empty() || cureOf(hdu) == "; choose another file" ? "; choose another HDU"
+                                                                 : cureOf(hdu)));
 }
 } // namespace
 
@@ -234,27 +278,26 @@ long long FitsHdu::pixels() const
 FitsHdu findFitsImage(FitsBytes& bytes, const FitsSelection& selection)
 {
   std::uint64_t start = 0;
-  int number = 0;
-  for (;; ++number)
+  std::vector<FitsHdu> others;
+  for (;;)
   {
     FitsHdu hdu;
-    hdu.number = number;
+    hdu.number = static_cast<int>(others.size());
     if (!readHdu(bytes, start, hdu))
     {
-      failAtMissingHdu(bytes, selection, number);
+      failAtMissingHdu(bytes, selection, others);
     }
     if (isSelected(hdu, selection))
     {
       if (!hdu.isImage())
       {
-        throw Error(bytes.file,
-          selection.extension.empty() ? nameOf(number) : "extension '" + selection.extension + "'",
-          "holds no image of two or more axes; choose another HDU");
+        failAtNoImage(bytes, selection, hdu);
       }
       checkPromise(bytes, hdu);
       return hdu;
     }
     start = hdu.dataStart + (hdu.dataBytes + blockLength - 1) / blockLength * blockLength;
+    others.push_back(std::move(hdu));
   }
 }
 } // namespace galaxy

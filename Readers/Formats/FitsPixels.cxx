@@ -1,5 +1,7 @@
 #include "Readers/Formats/FitsPixels.h"
 
+#include "Readers/Formats/AsinhScale.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +21,7 @@ public:
   PixelSource(const FitsHandle& fits, const FitsHdu& hdu, const std::vector<double>& maskValues)
     : fits(fits)
     , maskValues(maskValues)
+    , asinh(AsinhScale::of(hdu.header))
   {
     const bool scaled =
       hdu.header.number("BSCALE").value_or(1) != 1 || hdu.header.number("BZERO").value_or(0) != 0;
@@ -47,7 +50,7 @@ public:
     }
     for (double& value : this->values)
     {
-      value = std::isfinite(value) && !this->isMasked(value) ? value : nan;
+      value = std::isfinite(value) && !this->isMasked(value) ? this->linear(value) : nan;
     }
     return this->values;
   }
@@ -64,6 +67,12 @@ private:
     this->fits.check(status, "");
   }
 
+  double linear(double value) const
+  {
+    const double flux = this->asinh ? this->asinh->flux(value) : value;
+    return std::isfinite(flux) ? flux : nan;
+  }
+
   bool isMasked(double value) const
   {
     return std::any_of(this->maskValues.begin(), this->maskValues.end(), [&](double mask) {
@@ -74,6 +83,7 @@ private:
 
   const FitsHandle& fits;
   const std::vector<double>& maskValues;
+  const std::optional<AsinhScale> asinh;
   bool single = false;
   bool maskInSingle = false;
   bool findsBlanks = false;

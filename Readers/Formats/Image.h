@@ -18,6 +18,7 @@ struct Image
   std::array<int, 2> axes = { 1, 2 }; ///< the FITS axis numbers of x and y, from 1
   std::vector<double> values;         ///< width*height, x fastest; NaN where the image is blank
   std::string unit;                   ///< BUNIT, empty where absent
+  std::string note;                   ///< what reading did or left out; empty where nothing
   std::vector<std::uint8_t> bad;      ///< 1 where a pixel is to be replaced; empty where none is
   std::string cards; ///< the header: 80-character cards, one after the other, without END
 

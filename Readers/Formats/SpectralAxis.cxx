@@ -1,6 +1,7 @@
 #include "Readers/Formats/SpectralAxis.h"
 
 #include "Readers/Formats/Error.h"
+#include "Readers/Formats/UnitProduct.h"
 
 #include <cmath>
 
@@ -31,32 +32,24 @@ bool isSpectral(const std::string& type)
   return kind == "VELO" || kind == "VRAD" || kind == "VOPT" || kind == "FELO" || kind == "FREQ";
 }
 
+/// In Hz or km/s.
 double unitOf(
   const std::string& file, const std::string& keyword, const FitsHdu& hdu, bool isFrequency)
 {
-  struct Unit
-  {
-    const char* name;
-    bool isFrequency;
-    double value; ///< in Hz or km/s
-  };
-  static const Unit units[] = { { "HZ", true, 1 }, { "KHZ", true, 1e3 }, { "MHZ", true, 1e6 },
-    { "GHZ", true, 1e9 }, { "M/S", false, 1e-3 }, { "M S-1", false, 1e-3 }, { "KM/S", false, 1 },
-    { "KM S-1", false, 1 } };
-  const std::string name = upperCase(hdu.header.text(keyword).value_or(""));
+  const std::string unit = isFrequency ? "Hz" : "km/s";
+  const std::string name = hdu.header.text(keyword).value_or("");
   if (name.empty())
   {
     return isFrequency ? 1 : 1e-3;
   }
-  for (const Unit& unit : units)
+  const double known = unitRatio(name, unit);
+  const double ratio = known > 0 ? known : unitRatio(upperCase(name), unit); // "Km/s"
+  if (!(ratio > 0))
   {
-    if (name == unit.name && unit.isFrequency == isFrequency)
-    {
-      return unit.value;
-    }
+    throw NoVelocities(file, keyword,
+      "'" + name + "' is no unit of " + (isFrequency ? "frequency" : "velocity") + " known here");
   }
-  throw NoVelocities(file, keyword,
-    "'" + name + "' is no unit of " + (isFrequency ? "frequency" : "velocity") + " known here");
+  return ratio;
 }
 } // namespace
 

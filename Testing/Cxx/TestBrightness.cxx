@@ -87,6 +87,16 @@ TEST(BrightnessUnit, AsProgramsWriteThem)
          Known{ "uJy/arcsec**2", BrightnessKind::PerSolidAngle, "Jy", 1e-6, false },
          Known{ "Jy/pixel", BrightnessKind::PerPixel, "Jy", 1, false },
          Known{ "mJy", BrightnessKind::PerPixel, "Jy", 1e-3, false },
+         Known{ "JY/B*M/S", BrightnessKind::PerBeam, "Jy", 1e-3, true },
+         Known{ "JY/BEAM.KM/S", BrightnessKind::PerBeam, "Jy", 1, true },
+         Known{ "JY.KM/S/BEAM", BrightnessKind::PerBeam, "Jy", 1, true },
+         Known{ "Jy km s-1 beam-1", BrightnessKind::PerBeam, "Jy", 1, true },
+         Known{ "JY/B KM/SEC", BrightnessKind::PerBeam, "Jy", 1, true },
+         Known{ "Jy/beam*kms", BrightnessKind::PerBeam, "Jy", 1, true },
+         Known{ "kJy/sr", BrightnessKind::PerSolidAngle, "Jy", 1e3 * perSteradian, false },
+         Known{ "Jy/arcmin2", BrightnessKind::PerSolidAngle, "Jy", 1 / 3600., false },
+         Known{ "mJy km/s/sq.arcsec", BrightnessKind::PerSolidAngle, "Jy", 1e-3, true },
+         Known{ "2.5E-3 Jy/beam", BrightnessKind::PerBeam, "Jy", 2.5e-3, false },
          Known{ "K", BrightnessKind::Temperature, "K", 1, false },
          Known{ "mK", BrightnessKind::Temperature, "K", 1e-3, false },
          Known{ "K (Tmb)", BrightnessKind::Temperature, "K", 1, false },
@@ -98,6 +108,18 @@ TEST(BrightnessUnit, AsProgramsWriteThem)
          Known{ "ELECTRONS/S", BrightnessKind::PerPixel, "ELECTRONS/S", 1, false },
          Known{ "10**(-17) erg/s/cm2/arcsec2", BrightnessKind::PerSolidAngle, "erg/s/cm2", 1e-17,
            false },
+         Known{ "10**-20 erg/s/cm**2/Angstrom", BrightnessKind::PerPixel, "erg/s/cm2/Angstrom",
+           1e-20, false },
+         Known{ "10**(-20)*erg/s/cm**2/Angstrom", BrightnessKind::PerPixel, "erg/s/cm2/Angstrom",
+           1e-20, false },
+         Known{ "ergs/s/cm**2/A", BrightnessKind::PerPixel, "ergs/s/cm2/A", 1, false },
+         Known{ "erg/(s cm2 Angstrom arcsec2)", BrightnessKind::PerSolidAngle, "erg/s/cm2/Angstrom",
+           1, false },
+         Known{
+           "1E-17 erg/s/cm^2/Ang/spaxel", BrightnessKind::PerPixel, "erg/s/cm2/Ang", 1e-17, false },
+         Known{ "W m-2 sr-1", BrightnessKind::PerSolidAngle, "W/m2", perSteradian, false },
+         Known{ "KM/S", BrightnessKind::NotBrightness, "KM/S", 1, false },
+         Known{ "cm-2", BrightnessKind::NotBrightness, "/cm2", 1, false },
          Known{ "m/s", BrightnessKind::NotBrightness, "m/s", 1, false },
          Known{ "W.U.", BrightnessKind::NotBrightness, "W U", 1, false },
          Known{ "mag/arcsec^2", BrightnessKind::NotBrightness, "mag", 1, false },
@@ -216,6 +238,82 @@ TEST(Beam, OfHistory)
   EXPECT_NEAR(beam->positionAngle, 45.5, 1e-9);
   image.cards += beamCards(20, 10);
   EXPECT_NEAR(galaxy::beamOf(image)->major, 20, 1e-2);
+}
+
+namespace
+{
+std::string historyCard(const std::string& text)
+{
+  std::string card = "HISTORY " + text;
+  card.resize(80, ' ');
+  return card;
+}
+
+/// 10.8 by 7.2 arcsec, by whatever cards.
+void expectBeam(const std::string& cards, double positionAngle)
+{
+  Image image = field(20, 1.5, "Jy/beam", 1);
+  image.cards += cards;
+  const auto beam = galaxy::beamOf(image);
+  ASSERT_TRUE(beam) << cards;
+  EXPECT_NEAR(beam->major, 10.8, 1e-9) << cards;
+  EXPECT_NEAR(beam->minor, 7.2, 1e-9) << cards;
+  EXPECT_NEAR(beam->positionAngle, positionAngle, 1e-9) << cards;
+}
+} // namespace
+
+TEST(Beam, WhereverProgramsWriteIt)
+{
+  expectBeam(historyCard("AIPS   CLEAN BMAJ=  3.0D-03 BMIN=  2.0D-03 BPA= 1"), 1);
+  expectBeam(historyCard("AIPS   CLEAN BMAJ=  3.0E-03 BMIN=  2.0E-03 BPA= -40.24 = "), -40.24);
+  // What a task was told is not what the image has.
+  expectBeam(historyCard("AIPS   CLEAN BMAJ=  3.0E-03 BMIN=  2.0E-03 BPA= 1") +
+      historyCard("CONVL BMAJ=  30.0 BMIN= 20.0 BPA= 2  / arcsec"),
+    1);
+  expectBeam(historyCard("CONVL BMAJ = 10.8 BMIN = 7.2 BPA = 2  / arcsec"), 2);
+  expectBeam(historyCard("imager::clean() [] Fitted beam used in") +
+      historyCard("> restoration: 10.8 by 7.2 (arcsec) at pa 82.5 (deg)"),
+    82.5);
+  expectBeam(card("CLEANBMJ", "3.0D-3") + card("CLEANBMN", "0.002") + card("CLEANBPA", "3"), 3);
+  for (const auto& [major, minor] : { std::pair("10.8 / [arcsec] beam", "7.2 / [arcsec] beam"),
+         { "10.8 / beam major axis in arcseconds", "7.2 / in arcseconds" },
+         { "'10.8 arcsec'", "'7.2\"'" }, { "0.18 / (arcmin)", "0.12 / (arcmin)" },
+         { "10800.0 / mas", "7200.0 / mas" }, { "3.0D-3 / radio beam", "2.0D-3 / degrees" } })
+  {
+    expectBeam(card("BMAJ", major) + card("BMIN", minor) + card("BPA", "4 / [deg]"), 4);
+  }
+}
+
+// 10.8 degrees of a field of half an arcminute: arcsec, most likely, but nothing says so.
+TEST(Beam, WiderThanTheImage)
+{
+  Image image = field(20, 1.5, "Jy/beam", 1);
+  image.cards += card("BMAJ", "10.8") + card("BMIN", "7.2");
+  const std::string message = galaxy::errorOf([&] { galaxy::brightnessOf(image, {}); });
+  EXPECT_EQ(message.find("field.fits: BMAJ: "), 0u) << message;
+  EXPECT_NE(message.find("38880 by 25920 arcsec"), std::string::npos) << message;
+  EXPECT_NE(message.find("`beam = [bmaj, bmin, bpa]`"), std::string::npos) << message;
+  ImageDescription description;
+  description.beam = 8.8;
+  EXPECT_NEAR(galaxy::brightnessOf(image, description).beamArea, gaussian * 8.8 * 8.8, 1e-9);
+  // A cutout may be smaller than its beam; where the unit is none of beams, none counts.
+  Image cutout = field(5, 1.5, "Jy/beam", 1);
+  cutout.cards += beamCards(12, 10);
+  EXPECT_NEAR(galaxy::brightnessOf(cutout, {}).beamArea, gaussian * 120, 1e-9);
+  image.unit = "K";
+  EXPECT_EQ(galaxy::brightnessOf(image, {}).toSurface, 1);
+}
+
+// AIPS's moment map: 3 Jy/beam m/s through 12 by 10 arcsec.
+TEST(Beam, ColumnOfAipsMoment)
+{
+  Image image = field(5, 1.5, "JY/B*M/S", 3);
+  image.cards += historyCard("AIPS   CLEAN BMAJ=  1.0000E-02 BMIN=  9.0000E-03 BPA= -10.00") +
+    historyCard("AIPS   CLEAN BMAJ=  3.3333333E-03 BMIN=  2.7777778E-03 BPA= -40.24");
+  ImageDescription description;
+  description.convert = BrightnessConversion::ColumnDensity;
+  galaxy::convertBrightness(description, image);
+  EXPECT_NEAR(image.values[12] / (1.104e24 * 3e-3 / 120), 1, 1e-6);
 }
 
 class BrightnessFiles : public galaxy::testing::FitsFolder

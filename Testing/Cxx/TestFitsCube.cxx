@@ -191,10 +191,17 @@ TEST_F(FitsCube, MomentOverVelocities)
   const std::vector<double> values = { 1, 10, 2, blank, 3, blank, 4, 40 };
   const Keywords metres = { { "CRVAL3", 500e3 }, { "CRPIX3", 1 }, { "CDELT3", -5e3 } };
   const Keywords kilometres = { { "CRVAL3", 500 }, { "CRPIX3", 1 }, { "CDELT3", -5 } };
+  // The matrix under its old names, of six digits.
+  const Keywords oldMatrix = { { "CRVAL3", 500e3 }, { "CRPIX3", 1 }, { "CDELT3", 5e3 },
+    { "PC003003", -1 } };
+  const Keywords oldSteps = { { "CRVAL3", 500e3 }, { "CRPIX3", 1 }, { "CDELT3", 1 },
+    { "CD003003", -5e3 } };
   int number = 0;
   for (const auto& [type, unit, keywords] :
     { std::tuple("VELO-HEL", "m/s", metres), std::tuple("VRAD", "", metres),
-      std::tuple("VOPT", "km/s", kilometres), std::tuple("VELO", "KM/S", kilometres) })
+      std::tuple("VOPT", "km/s", kilometres), std::tuple("VELO", "KM/S", kilometres),
+      std::tuple("VRAD", "km/sec", kilometres), std::tuple("VRAD", "M.S**-1", metres),
+      std::tuple("VRAD", "m/s", oldMatrix), std::tuple("VRAD", "m/s", oldSteps) })
   {
     const std::string name = "velocity" + std::to_string(number++) + ".fits";
     const std::string file =

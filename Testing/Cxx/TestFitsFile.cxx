@@ -228,7 +228,8 @@ TEST_F(FitsFile, NothingToRead)
     char* forms[] = { form };
     fits_create_tbl(f, BINARY_TBL, 4, 1, names, forms, nullptr, nullptr, status);
   });
-  EXPECT_EQ(messageOf(table), table + ": holds no image of two or more axes; choose another file");
+  EXPECT_EQ(messageOf(table),
+    table + ": holds no image of two or more axes: HDU 1 is a table; choose another file");
 }
 
 TEST_F(FitsFile, ExtremesOfEveryTypeAreExact)
