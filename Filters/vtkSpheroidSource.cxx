@@ -6,7 +6,6 @@
 #include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
-#include "Readers/Formats/NumberTable.h"
 #include "Readers/Formats/SpheroidTables.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
@@ -56,14 +55,11 @@ bool isGiven(const char* file)
 std::vector<galaxy::StarCluster> listedClusters(vtkSpheroidSource& source)
 {
   const std::string file = source.GetClusterList();
-  const std::string text = galaxy::readText(file);
-  if (!galaxy::NumberTable(text, file).has("x"))
-  {
-    throw galaxy::Error(file, "x", "the columns must be x, y and z, for no sky is known here");
-  }
+  std::vector<galaxy::StarCluster> clusters =
+    galaxy::parseClusterList(galaxy::readText(file), file);
   galaxy::requireProperty(
     source.GetLuminosity() > 0, "Luminosity", "greater than 0 with a ClusterList");
-  return galaxy::parseClusterList(text, file, {}, 1);
+  return clusters;
 }
 
 void describeShape(vtkSpheroidSource& source, galaxy::SpheroidDescription& spheroid)

@@ -37,6 +37,7 @@ int vtkTiltedRingReader::RequestData(
     options.distance = this->Distance;
     options.pixelScale = this->PixelScale;
     options.layerLaw = static_cast<galaxy::LayerLaw>(this->LayerLaw);
+    options.galaxyName = this->GalaxyName;
     const galaxy::RingTable table = galaxy::readRingTable(this->FileName, options);
     const double unit = this->Distance > 0 ? galaxy::kpcPerArcsec(this->Distance) : 1;
     const auto sense = static_cast<galaxy::SpinSense>(this->SpinSense);
@@ -54,5 +55,6 @@ void vtkTiltedRingReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Disk: " << this->Disk << "\n";
   os << indent << "Sides: " << this->Sides << "\n";
   os << indent << "LayerLaw: " << this->LayerLaw << "\n";
+  os << indent << "GalaxyName: " << this->GalaxyName << "\n";
   os << indent << "SpinSense: " << this->SpinSense << "\n";
 }

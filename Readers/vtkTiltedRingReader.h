@@ -3,7 +3,8 @@
  * @brief   a tilted-ring model as one closed polyline a ring
  *
  * Reads a TiRiFiC or FAT .def file, GIPSY ROTCUR, 3DBarolo or DiskFit output, a table with named
- * columns (CSV, ECSV, text under a heading) or a plain one (r, vrot, Z0, i, PA). Points lie in the
+ * columns (CSV, ECSV, IPAC, VizieR, CDS, LaTeX, text under a heading), NEMO's rotcur or a plain one
+ * (r, vrot, Z0, i, PA). Points lie in the
  * galaxy's frame: X to the West, Y to the North, Z toward the observer; lengths are kpc at the
  * given distance, or arcsec where the distance is 0. Cell arrays: `Radius`, `ScaleHeight` (in the
  * points' unit), `RotationVelocity`, `ExpansionVelocity`, `SystemicVelocity` (km/s), `Inclination`,
@@ -42,6 +43,12 @@ public:
   /// the file says.
   vtkSetMacro(PixelScale, double);
   vtkGetMacro(PixelScale, double);
+  ///@}
+  ///@{
+  /// The galaxy whose rows of a table with a column Name or Galaxy are read; empty (default) where
+  /// the table has but one. Capitals and blanks do not count.
+  vtkSetStdStringFromCharMacro(GalaxyName);
+  vtkGetCharFromStdStringMacro(GalaxyName);
   ///@}
   ///@{
   /// The disk of a TiRiFiC file with several, from 1 (default).
@@ -103,6 +110,7 @@ private:
   void operator=(const vtkTiltedRingReader&) = delete;
 
   std::string FileName;
+  std::string GalaxyName;
   double Distance = 0;
   double PixelScale = 0;
   int Disk = 1;

@@ -15,7 +15,7 @@ struct Unit
 
 /// In the largest unit that there is at least one of, or else in the first.
 template <std::size_t n>
-std::string textOf(double value, const Unit (&units)[n])
+std::string plainText(double value, const Unit (&units)[n])
 {
   const Unit* unit = units;
   for (const Unit& larger : units)
@@ -33,14 +33,14 @@ std::string textOf(double value, const Unit (&units)[n])
 std::string lengthText(double kpc)
 {
   const Unit units[] = { { 1e-3, " pc" }, { 1, " kpc" }, { 1e3, " Mpc" } };
-  return textOf(kpc, units);
+  return plainText(kpc, units);
 }
 
 std::string angleText(double radians)
 {
   const double degree = M_PI / 180;
   const Unit units[] = { { degree / 3600, "\"" }, { degree / 60, "'" }, { degree, "°" } };
-  return textOf(radians, units);
+  return plainText(radians, units);
 }
 
 ScaleBar scaleBar(double most, double distance)

@@ -4,6 +4,7 @@
 #include "Readers/Formats/FitsHeader.h"
 #include "Readers/Formats/PixelLattice.h"
 #include "Readers/Formats/RegionList.h"
+#include "Readers/Formats/TextFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,7 @@ void applyRegion(const PixelRegion& region, Image& image)
   const auto [left, right] = std::minmax_element(corners.begin(), corners.end(), byX);
   const auto [bottom, top] = std::minmax_element(corners.begin(), corners.end(), byY);
   const auto within = [](double value, int size) {
-    return static_cast<int>(std::clamp(value, 0.0, size + 1.0));
+    return value > 0 ? static_cast<int>(std::min(value, size + 1.0)) : 0; // also of NaN
   };
   const int lastColumn = std::min(within(right->x, image.width), image.width);
   const int lastRow = std::min(within(top->y, image.height), image.height);

@@ -2,6 +2,7 @@
 
 #include "Readers/Formats/AvailableMemory.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/Formats/RegularFile.h"
 
 #include <zlib.h>
 
@@ -27,11 +28,8 @@ const char* const unopened = "cannot be opened; check that it may be read";
 FitsBytes::FitsBytes(const std::string& file)
   : file(file)
 {
+  requireRegularFile(file);
   std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed))
-  {
-    throw Error(file, "", "no such file; correct its name");
-  }
   this->stream.open(file, std::ios::binary);
   this->length = std::filesystem::file_size(file, failed);
   if (!this->stream || failed)

@@ -8,9 +8,7 @@
 #include "Readers/Formats/WidthTable.h"
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 
 namespace galaxy
 {
@@ -114,7 +112,7 @@ toml::table parseToml(const std::string& text, const std::string& file)
 {
   try
   {
-    return toml::parse(text, file);
+    return toml::parse(plainText(text, file), file);
   }
   catch (const toml::parse_error& error)
   {
@@ -151,22 +149,6 @@ GalaxyDescription readGalaxyDescription(const std::string& file)
 std::string besideFile(const std::string& file, const std::string& path)
 {
   return (std::filesystem::path(file).parent_path() / path).string();
-}
-
-std::string readText(const std::string& file)
-{
-  std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file, ignored))
-  {
-    throw Error(file, "", "cannot be read; check that it is a file, there and readable");
-  }
-  const std::string text{ std::istreambuf_iterator<char>(stream), {} };
-  if (stream.bad())
-  {
-    throw DamagedFile(file, "", "cannot be read to its end");
-  }
-  return text;
 }
 
 RingTable readRings(const GalaxyDescription& galaxy)

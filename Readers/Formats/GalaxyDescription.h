@@ -4,6 +4,7 @@
 #include "Readers/Formats/FitsFile.h"
 #include "Readers/Formats/RingTable.h"
 #include "Readers/Formats/SpheroidDescription.h"
+#include "Readers/Formats/TextFile.h"
 #include "Readers/Formats/WorldCoordinates.h"
 
 #include <array>
@@ -371,9 +372,6 @@ void requireInRange(
 
 /// `path` as seen from the folder of `file`, unchanged where absolute.
 std::string besideFile(const std::string& file, const std::string& path);
-
-/// The whole text of a file; throws Error where it cannot be read.
-std::string readText(const std::string& file);
 
 /// The rings of a described galaxy: its ring file, or one flat disc.
 RingTable readRings(const GalaxyDescription& galaxy);

@@ -1,6 +1,7 @@
 #include "Readers/Formats/GalaxyKeys.h"
 
 #include "Readers/Formats/ComponentLimit.h"
+#include "Readers/Formats/RingHeading.h"
 #include "Readers/Formats/SkyKeys.h"
 
 #include <algorithm>
@@ -24,13 +25,40 @@ void readGalaxy(const KeyValue& value, GalaxyDescription& out)
       KeyValue(value.file, key, *table.get(key)).contradicts("rings");
     }
   }
-  for (const char* key : { "ring_disk", "ring_sides", "ring_law", "ring_pixel_scale" })
+  for (const char* key :
+    { "ring_disk", "ring_sides", "ring_law", "ring_pixel_scale", "ring_galaxy", "ring_columns" })
   {
     if (out.rings.empty() && table.contains(key))
     {
       KeyValue(value.file, key, *table.get(key)).needs("rings");
     }
   }
+}
+
+/// { quantity = "the table's name of its column", ... }
+Key<GalaxyDescription> ringColumnsKey()
+{
+  return { "ring_columns", "section of texts", "the usual names",
+    "What the table of rings calls the columns of r, vrot, Z0, i, PA, SBR, vrad, vsys and name, "
+    "where "
+    "it is not the usual: `{ vrot = \"V_c\" }`.",
+    [](const KeyValue& value, GalaxyDescription& out) {
+      std::vector<std::string> known = { "name" };
+      for (const Quantity& quantity : ringQuantities())
+      {
+        known.push_back(quantity.symbol);
+      }
+      for (const auto& [name, node] : inTextOrder(value.table()))
+      {
+        const KeyValue column(value.file, name, *node);
+        const Quantity* quantity = quantityOf(plainName(name));
+        if (quantity == nullptr && name != "name")
+        {
+          failAtUnknownKey(column, "ring_columns", known);
+        }
+        out.ringOptions.columns[quantity == nullptr ? name : quantity->symbol] = column.text();
+      }
+    } };
 }
 
 void readComponents(const KeyValue& value, GalaxyDescription& out)
@@ -92,6 +120,10 @@ const Keys<GalaxyDescription>& galaxyKeys()
                   "ring_pixel_scale", [](G& g) -> double& { return g.ringOptions.pixelScale; },
                   Range::positive(), "arcsec", "Size of the pixels that the rings count in."),
       "the file's"),
+    textKey<G>(
+      "ring_galaxy", [](G& g) -> std::string& { return g.ringOptions.galaxyName; },
+      "Whose rows of a table with the rings of several galaxies."),
+    ringColumnsKey(),
     numberKey<G>("inclination", &G::inclination, Range::from(-180, 180), "degrees",
       "Inclination of the flat disc; 0 is face-on."),
     positionAngleKey<G>(

@@ -3,7 +3,7 @@
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RegionNumbers.h"
 #include "Readers/Formats/RegionOutline.h"
-#include "Readers/Formats/RingText.h"
+#include "Readers/Formats/TextFile.h"
 
 #include <algorithm>
 #include <cstring>
@@ -16,18 +16,48 @@ namespace
 std::optional<RegionFrame> frameNamed(const std::string& name)
 {
   static const std::map<std::string, RegionFrame> frames = {
-    { "image", { false, {} } },
-    { "physical", { true, {} } },
-    { "icrs", { false, CelestialFrame::icrs() } },
-    { "fk5", { false, CelestialFrame::icrs() } },
-    { "j2000", { false, CelestialFrame::icrs() } },
-    { "fk4", { false, CelestialFrame::fk4(1950) } },
-    { "b1950", { false, CelestialFrame::fk4(1950) } },
-    { "galactic", { false, CelestialFrame::galactic() } },
-    { "ecliptic", { false, CelestialFrame::ecliptic(2000) } },
+    { "image", { false, {}, false } },
+    { "physical", { true, {}, false } },
+    { "icrs", { false, CelestialFrame::icrs(), true } },
+    { "fk5", { false, CelestialFrame::icrs(), true } },
+    { "j2000", { false, CelestialFrame::icrs(), true } },
+    { "fk4", { false, CelestialFrame::fk4(1950), true } },
+    { "b1950", { false, CelestialFrame::fk4(1950), true } },
+    { "galactic", { false, CelestialFrame::galactic(), false } },
+    { "ecliptic", { false, CelestialFrame::ecliptic(2000), false } },
   };
   const auto found = frames.find(name);
   return found == frames.end() ? std::nullopt : std::optional<RegionFrame>(found->second);
+}
+
+/// DS9 has frames that name no place on the sky or in this image; one is none of ours.
+bool isForeignFrame(const std::string& name)
+{
+  static const std::vector<std::string> frames = { "detector", "amplifier", "linear", "wcs",
+    "supergalactic", "supergal", "azel", "azelgeo", "itrf", "hadec", "topo" };
+  const bool alternate = name.size() == 4 && name.compare(0, 3, "wcs") == 0;
+  return alternate || std::find(frames.begin(), frames.end(), name) != frames.end();
+}
+
+/// A word of DS9's line `global` that stands by itself names a frame; those in quotation marks are
+/// of its fonts.
+void readGlobalFrame(const std::string& statement, RegionFrame& frame)
+{
+  std::string bare;
+  char mark = 0;
+  for (const char c : statement)
+  {
+    const bool quote = c == '"' || c == '\'' || c == '{' || c == '}';
+    bare += mark == 0 && !quote ? c : 'x';
+    mark = mark == 0 && quote && c != '}' ? (c == '{' ? '}' : c) : c == mark ? 0 : mark;
+  }
+  for (const std::string& word : splitCells(bare))
+  {
+    if (const std::optional<RegionFrame> named = frameNamed(word))
+    {
+      frame = *named;
+    }
+  }
 }
 
 /// Takes up the frame of CASA's property coord=NAME.
@@ -44,7 +74,7 @@ void readProperties(const std::string& properties, RegionFrame& frame)
   if (!named)
   {
     throw RegionFault("coord= must be J2000, B1950, ICRS, GALACTIC or ECLIPTIC" +
-      (cells.empty() ? "" : ", not '" + cells[0] + "'"));
+      (cells.empty() ? "" : ", not " + quoted(cells[0])));
   }
   frame = *named;
 }
@@ -90,13 +120,19 @@ public:
     {
       this->frame = *named;
     }
+    else if (isForeignFrame(statement))
+    {
+      throw RegionFault(quoted(statement) +
+        " is a frame not known here; use image, physical, icrs, fk5, fk4, galactic or ecliptic");
+    }
     else if (statement.compare(0, 6, "global") == 0)
     {
+      readGlobalFrame(statement.substr(6), this->frame);
       readProperties(statement, this->frame);
     }
     else
     {
-      const bool excluded = statement[0] == '-';
+      const bool excluded = statement[0] == '-' || statement[0] == '!';
       const bool sign = excluded || statement[0] == '+';
       RegionFrame own = this->frame;
       const RegionShape shape = parseShape(trimmed(statement.substr(sign ? 1 : 0)), own);
@@ -112,7 +148,7 @@ private:
   RegionFrame frame;
 };
 
-/// A line without its comment, cut into statements at the semicolons.
+/// A line without its comment and DS9's mark of a composite, cut into statements at the semicolons.
 std::vector<std::string> statementsOf(const std::string& line)
 {
   std::string code = lowered(line.substr(0, line.find('#')));
@@ -120,7 +156,11 @@ std::vector<std::string> statementsOf(const std::string& line)
   for (std::size_t from = 0; from <= code.size();)
   {
     const std::size_t to = std::min(code.find(';', from), code.size());
-    const std::string statement = trimmed(code.substr(from, to - from));
+    std::string statement = trimmed(code.substr(from, to - from));
+    if (statement.size() > 2 && statement.compare(statement.size() - 2, 2, "||") == 0)
+    {
+      statement = trimmed(statement.substr(0, statement.size() - 2));
+    }
     if (!statement.empty())
     {
       statements.push_back(statement);
@@ -149,8 +189,10 @@ bool PixelRegion::contains(const PixelPosition& pixel) const
 std::vector<PixelRegion> parseRegions(
   const std::string& text, const std::string& file, const RegionCanvas& canvas)
 {
-  RegionParser parser(canvas, text.compare(0, 5, "#CRTF") == 0);
-  for (const TextLine& line : splitLines(text))
+  const std::vector<TextLine> lines = splitLines(plainText(text, file));
+  const bool casa = !lines.empty() && trimmed(lines[0].text).compare(0, 5, "#CRTF") == 0;
+  RegionParser parser(canvas, casa);
+  for (const TextLine& line : lines)
   {
     try
     {
@@ -161,7 +203,7 @@ std::vector<PixelRegion> parseRegions(
     }
     catch (const RegionFault& fault)
     {
-      throw Error(file, "line " + std::to_string(line.number), fault.what());
+      throw Error(file, lineName(line.number), fault.what());
     }
   }
   return parser.regions;

@@ -30,11 +30,12 @@ struct RegionCanvas
 /// too: centerbox, rotbox and box of two corners) and polygon; round ones have 96 corners, on a
 /// circle of the same area.
 ///
-/// Frames: image and physical pixels, fk5 and icrs (one for us), fk4, galactic, ecliptic. Angles
-/// are decimal degrees, or sexagesimal with colons, h m s, d m s or CASA's dots; lengths have the
-/// units " ' d r p i (DS9) or arcsec arcmin deg rad pix (CASA). Comments and the lines `global` and
-/// `#` are passed over; a file that never names its frame is in physical pixels (DS9) or J2000
-/// (CASA). Any other shape, frame or malformed number throws Error with the line.
+/// Frames: image and physical pixels, fk5 and icrs (one for us), fk4, galactic, ecliptic; DS9's
+/// line `global` may name one. Angles are decimal degrees, or sexagesimal with colons (hours of a
+/// right ascension, degrees of any other longitude), h m s, d m s or CASA's dots; lengths have the
+/// units " ' d r p i (DS9) or arcsec arcmin deg rad pix (CASA). Comments are passed over; a file
+/// that never names its frame is in physical pixels (DS9) or J2000 (CASA). Any other shape, frame
+/// or malformed number throws Error with the line.
 std::vector<PixelRegion> parseRegions(
   const std::string& text, const std::string& file, const RegionCanvas& canvas);
 } // namespace galaxy

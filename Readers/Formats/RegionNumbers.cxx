@@ -1,10 +1,10 @@
 #include "Readers/Formats/RegionNumbers.h"
 
-#include "Readers/Formats/RingText.h"
+#include "Readers/Formats/Printable.h"
+#include "Readers/Formats/Sexagesimal.h"
+#include "Readers/Formats/TextFile.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace galaxy
 {
@@ -37,29 +37,14 @@ double plainNumber(const std::string& text)
   double number;
   if (!parseNumber(text, number))
   {
-    throw RegionFault("'" + text + "' must be a number");
+    const bool angle = sexagesimalAngle(text, false).has_value();
+    throw RegionFault(angle
+        ? quoted(text) + " must be a number of pixels; name the frame of angles first, such as fk5"
+        : quoted(text) + " must be a number");
   }
   return number;
 }
 
-/// The fields of 13:29:52.7, 13h29m52.7s, +47d11m43s or 47.11.43.0.
-std::vector<double> sexagesimalFields(const std::string& text)
-{
-  std::string fields = text;
-  const bool dotted = std::count(text.begin(), text.end(), '.') >= 2;
-  int dots = 0;
-  for (char& c : fields)
-  {
-    const bool separatingDot = dotted && c == '.' && ++dots <= 2;
-    c = separatingDot || std::string(":hdms").find(c) != std::string::npos ? ' ' : c;
-  }
-  std::vector<double> numbers;
-  for (const std::string& cell : splitCells(fields))
-  {
-    numbers.push_back(plainNumber(cell));
-  }
-  return numbers;
-}
 } // namespace
 
 RegionNumber regionNumber(const std::string& text, bool barePixels)
@@ -79,30 +64,15 @@ RegionNumber regionNumber(const std::string& text, bool barePixels)
 
 double regionAngle(const std::string& text, bool colonsAreHours)
 {
-  const bool hours = text.find('h') != std::string::npos;
-  const bool colons = text.find(':') != std::string::npos;
-  const bool sexagesimal = hours || colons || text.find('m') != std::string::npos ||
-    std::count(text.begin(), text.end(), '.') > 1;
-  if (!sexagesimal || text.find("deg") != std::string::npos)
+  if (const std::optional<double> angle = sexagesimalAngle(text, colonsAreHours))
   {
-    const RegionNumber number = regionNumber(text, false);
-    if (number.isPixels)
-    {
-      throw RegionFault("'" + text + "' must be an angle on the sky");
-    }
-    return number.value;
+    return *angle;
   }
-  const std::vector<double> fields = sexagesimalFields(text);
-  if (fields.empty() || fields.size() > 3)
+  const RegionNumber number = regionNumber(text, false);
+  if (number.isPixels)
   {
-    throw RegionFault("'" + text + "' must be an angle on the sky");
+    throw RegionFault(quoted(text) + " must be an angle on the sky");
   }
-  double angle = 0;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-  {
-    angle += std::abs(fields[i]) / std::pow(60.0, double(i));
-  }
-  const bool negative = text.front() == '-';
-  return (negative ? -angle : angle) * (hours || (colons && colonsAreHours) ? 15 : 1);
+  return number.value;
 }
 } // namespace galaxy

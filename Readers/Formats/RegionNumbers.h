@@ -23,8 +23,7 @@ struct RegionNumber
 /// A number with a unit, `bare` telling what one without a unit is in.
 RegionNumber regionNumber(const std::string& text, bool barePixels);
 
-/// Longitude or latitude in degrees: decimal, or sexagesimal, which is hours where it says `h`, and
-/// with colons where `colonsAreHours`.
+/// Longitude or latitude in degrees: decimal, or as sexagesimalAngle reads it.
 double regionAngle(const std::string& text, bool colonsAreHours);
 } // namespace galaxy
 

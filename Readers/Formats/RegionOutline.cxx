@@ -1,5 +1,6 @@
 #include "Readers/Formats/RegionOutline.h"
 
+#include "Readers/Formats/Printable.h"
 #include "Readers/Formats/RegionNumbers.h"
 
 #include <cmath>
@@ -59,7 +60,7 @@ public:
       name == "polygon" || name == "box" || name == "centerbox" || name == "rotbox";
     throw RegionFault(known
         ? name + " with " + std::to_string(count) + " numbers; give as many as DS9 or CASA write"
-        : "'" + name + "' is not a shape; use circle, ellipse, box or polygon");
+        : quoted(name) + " is not a shape; use circle, ellipse, box or polygon");
   }
 
 private:
@@ -90,14 +91,17 @@ private:
       throw RegionFault(
         "sky coordinates need an image with celestial coordinates; use image pixels");
     }
-    const SkyPosition own = { regionAngle(place.x, true), regionAngle(place.y, false) };
+    const SkyPosition own = { regionAngle(place.x, this->frame.colonsAreHours),
+      regionAngle(place.y, false) };
     if (!(std::abs(own.dec) <= 90))
     {
-      throw RegionFault("the declination must be -90 to 90 degrees, not '" + place.y + "'");
+      throw RegionFault(
+        "the declination or latitude must be -90 to 90 degrees, not " + quoted(place.y));
     }
     PixelPosition at;
     if (!this->canvas.coordinates->skyToPixel(
-          this->frame.sky->toIcrs(offsetPosition(own, -along, up)), at))
+          this->frame.sky->toIcrs(offsetPosition(own, -along, up)), at) ||
+      !std::isfinite(at.x) || !std::isfinite(at.y))
     {
       // Behind the image's sky: nothing of it can be masked.
       return { -1e9, -1e9 };
@@ -113,7 +117,7 @@ private:
       number.value * (number.isPixels == this->isSky() ? this->lengthRatio() : 1);
     if (!(value >= 0))
     {
-      throw RegionFault("a length must be at least 0, not '" + text + "'");
+      throw RegionFault("a length must be at least 0, not " + quoted(text));
     }
     return value;
   }

@@ -15,6 +15,7 @@ struct RegionFrame
 {
   bool physical = true;
   std::optional<CelestialFrame> sky;
+  bool colonsAreHours = false; ///< in a longitude: of right ascensions alone
 };
 
 /// One shape of a region file, its arguments as text, and which program's meaning they have.

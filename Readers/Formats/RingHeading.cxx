@@ -1,162 +1,232 @@
 #include "Readers/Formats/RingHeading.h"
 
-#include "Readers/Formats/RingText.h"
+#include "Readers/Formats/Error.h"
+#include "Readers/Formats/KeyTable.h"
 
 #include <algorithm>
+#include <set>
 
 namespace galaxy
 {
 namespace
 {
-std::string unquoted(const std::string& cell)
+bool contains(const std::vector<std::string>& names, const std::string& name)
 {
-  const bool quoted =
-    cell.size() > 1 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front();
-  return quoted ? cell.substr(1, cell.size() - 2) : cell;
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A name as the quantities list it: small letters, no dots, blanks as underscores.
-std::string plainName(const std::string& name)
+std::string headingPlace(const TextTable& table)
 {
-  std::string plain = lowered(trimmed(name));
-  plain.erase(std::remove(plain.begin(), plain.end(), '.'), plain.end());
-  std::replace(plain.begin(), plain.end(), ' ', '_');
-  return plain;
+  return table.headingLine > 0 ? lineName(table.headingLine) : "";
 }
 
-const Quantity* quantityOf(const std::string& name)
+/// The column that the options name for a quantity.
+int chosenColumn(const std::string& symbol, const std::string& name, const TextTable& table)
 {
-  for (const Quantity& quantity : ringQuantities())
+  std::vector<std::string> known;
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
   {
-    const auto& names = quantity.names;
-    if (std::find(names.begin(), names.end(), plainName(name)) != names.end())
+    const TableColumn& column = table.columns[k];
+    if (plainName(column.name) == plainName(name) || column.text == name)
     {
-      return &quantity;
+      return static_cast<int>(k);
+    }
+    known.push_back(column.name);
+  }
+  throw Error(table.file, headingPlace(table),
+    "there is no column " + quoted(name) + " for " + symbol + ", as ring_columns says" +
+      suggestion(name, known));
+}
+
+/// How well a column serves for a quantity; the least is the best.
+int rank(const Quantity& quantity, const TableColumn& column)
+{
+  const int lesser = contains(quantity.names, plainName(column.name)) ? 0 : 1;
+  if (quantity.dimension != Dimension::Length)
+  {
+    return lesser;
+  }
+  double kpc;
+  return lesser + (isAngularLength(column.unit) ? 0 : kpcOf(column.unit, kpc) ? 2 : 4);
+}
+
+/// Names equal but for capitals and blanks: NGC 628 and ngc628.
+std::string bareName(const std::string& name)
+{
+  std::string bare = lowered(name);
+  bare.erase(std::remove_if(bare.begin(), bare.end(), [](char c) { return c == ' ' || c == '_'; }),
+    bare.end());
+  return bare;
+}
+
+int galaxyColumn(const TextTable& table, const RingOptions& options)
+{
+  const auto chosen = options.columns.find("name");
+  if (chosen != options.columns.end())
+  {
+    return chosenColumn("name", chosen->second, table);
+  }
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+  {
+    if (table.headingLine > 0 && ringWords({}).meaning(plainName(table.columns[k].name)) == "name")
+    {
+      return static_cast<int>(k);
     }
   }
-  return nullptr;
+  return -1;
 }
 
-/// The value of `key` in a line of YAML's flow style, {key: value, ...}.
-std::string flowValue(const std::string& line, const std::string& key)
+std::string listed(const std::vector<std::string>& names)
 {
-  const std::size_t at = line.find(key + ":");
-  if (at == std::string::npos || at == 0 || (line[at - 1] != ' ' && line[at - 1] != '{'))
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(names.size(), most); ++k)
   {
-    return "";
+    text += (k == 0 ? "" : ", ") + printable(shortened(names[k], 30));
   }
-  const std::size_t start = std::min(line.find_first_not_of(' ', at + key.size() + 1), line.size());
-  const bool quoted = start < line.size() && (line[start] == '"' || line[start] == '\'');
-  const std::size_t end = quoted ? std::min(line.find(line[start], start + 1), line.size() - 1) + 1
-                                 : std::min(line.find_first_of(",}", start), line.size());
-  return unquoted(trimmed(line.substr(start, end - start)));
+  return text +
+    (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "");
 }
+
+const char* const choose = "; choose one: ring_galaxy in [galaxy], GalaxyName of the ring reader";
 } // namespace
 
 const std::vector<Quantity>& ringQuantities()
 {
   static const std::vector<Quantity> all = {
-    { "r", &Ring::radius, true, Dimension::Length, { "r", "rad", "radi", "radius", "radii" } },
+    { "r", &Ring::radius, true, Dimension::Length,
+      { "r", "rad", "radi", "radius", "radii", "ring_radius", "galactocentric_radius" },
+      { "sma", "semi_major_axis", "semimajor_axis" } },
     { "vrot", &Ring::rotationVelocity, true, Dimension::Velocity,
-      { "vrot", "v_rot", "vc", "vcirc", "v_circ", "rotation_velocity", "rotationvelocity" } },
+      { "vrot", "v_rot", "rotation_velocity", "rotationvelocity", "rotational_velocity", "rot_vel",
+        "rotvel", "v_rotation", "vrotation" },
+      { "vc", "v_c", "vcirc", "v_circ", "circular_velocity", "v", "vobs", "v_obs", "vt", "v_t",
+        "vphi", "v_phi" } },
     { "Z0", &Ring::scaleHeight, false, Dimension::Length,
-      { "z0", "z_0", "scale_height", "scaleheight" } },
-    { "i", &Ring::inclination, true, Dimension::Angle, { "i", "inc", "incl", "inclination" } },
+      { "z0", "z_0", "scale_height", "scaleheight", "hz", "h_z" }, {} },
+    { "i", &Ring::inclination, true, Dimension::Angle,
+      { "inc", "incl", "inclin", "inclination", "inclination_angle" }, { "i" } },
     { "PA", &Ring::positionAngle, true, Dimension::Angle,
-      { "pa", "position_angle", "positionangle" } },
-    { "SBR", &Ring::surfaceBrightness, false, Dimension::Number, { "sbr", "surface_brightness" } },
+      { "pa", "position_angle", "positionangle", "posang", "pos_ang", "pos_angle" }, {} },
+    { "SBR", &Ring::surfaceBrightness, false, Dimension::Number, { "sbr", "surface_brightness" },
+      {} },
     { "vrad", &Ring::expansionVelocity, false, Dimension::Velocity,
-      { "vrad", "v_rad", "vexp", "v_exp", "radial_velocity", "expansion_velocity" } },
+      { "vrad", "v_rad", "vexp", "v_exp", "expansion_velocity" }, {} },
     { "vsys", &Ring::systemicVelocity, false, Dimension::Velocity,
-      { "vsys", "v_sys", "systemic_velocity" } },
+      { "vsys", "v_sys", "systemic_velocity", "systemicvelocity" }, {} },
   };
   return all;
 }
 
-Heading parseHeading(const std::string& cell)
+const Quantity* quantityOf(const std::string& name)
 {
-  Heading heading;
-  heading.text = trimmed(cell);
-  const std::size_t open = heading.text.find_first_of("([");
-  const std::size_t close = heading.text.find_last_of(")]");
-  if (open != std::string::npos && close != std::string::npos && close > open)
+  // EDGE's tables have bbRad, bbVrot, bbInc, bbPA.
+  const bool edge = name.size() > 3 && name.compare(0, 2, "bb") == 0;
+  for (const Quantity& quantity : ringQuantities())
   {
-    heading.name = trimmed(heading.text.substr(0, open));
-    heading.unit = trimmed(heading.text.substr(open + 1, close - open - 1));
-    heading.quantity = quantityOf(heading.name);
-    return heading;
-  }
-  heading.name = heading.text;
-  heading.quantity = quantityOf(heading.name);
-  // "vrot_km_s" has its unit from the first underscore, "v_rot_kms" from the last; "vrot_err" none.
-  for (const std::size_t at : { heading.text.find('_'), heading.text.rfind('_') })
-  {
-    if (heading.quantity == nullptr && at != std::string::npos)
+    for (const std::string& plain : { name, edge ? name.substr(2) : name })
     {
-      const Quantity* quantity = quantityOf(heading.text.substr(0, at));
-      std::string unit = lowered(heading.text.substr(at + 1));
-      unit = unit == "km_s" ? "km/s" : unit;
-      if (quantity != nullptr && isUnit(quantity->dimension, unit))
+      if (contains(quantity.names, plain) || contains(quantity.lesserNames, plain))
       {
-        heading.quantity = quantity;
-        heading.unit = unit;
+        return &quantity;
       }
     }
   }
-  return heading;
+  return nullptr;
 }
 
-std::vector<std::string> splitRow(const std::string& text)
+TableWords ringWords(const RingOptions& options)
 {
-  std::vector<std::string> cells;
-  if (text.find(',') == std::string::npos)
-  {
-    cells = splitCells(text);
-  }
-  else
-  {
-    for (std::size_t start = 0, end = 0; start <= text.size(); start = end + 1)
+  TableWords words;
+  words.meaning = [columns = options.columns](const std::string& name) -> std::string {
+    static const std::vector<std::string> galaxies = { "name", "galaxy", "galaxy_name",
+      "galaxyname", "gal", "object", "object_name", "objname", "target", "source", "bbname" };
+    for (const auto& [symbol, column] : columns)
     {
-      end = std::min(text.find(',', start), text.size());
-      cells.push_back(trimmed(text.substr(start, end - start)));
+      if (plainName(column) == name)
+      {
+        return symbol;
+      }
     }
-  }
-  std::transform(cells.begin(), cells.end(), cells.begin(), unquoted);
-  return cells;
+    const Quantity* quantity = quantityOf(name);
+    return quantity != nullptr ? quantity->symbol : contains(galaxies, name) ? "name" : "";
+  };
+  words.unnamed = { "r", "vrot", "Z0", "i", "PA" };
+  return words;
 }
 
-std::vector<std::string> splitHeadings(const std::string& text)
+int columnOf(const Quantity& quantity, const TextTable& table, const RingOptions& options)
 {
-  std::vector<std::string> headings;
-  bool open = false;
-  for (const std::string& cell : splitRow(text))
+  const auto chosen = options.columns.find(quantity.symbol);
+  if (chosen != options.columns.end())
   {
-    const bool unit = !cell.empty() && (cell[0] == '(' || cell[0] == '[');
-    if (!headings.empty() && (open || unit))
-    {
-      headings.back() += ' ' + cell;
-    }
-    else
-    {
-      headings.push_back(cell);
-    }
-    const std::string& all = headings.back();
-    open = std::count_if(all.begin(), all.end(), [](char c) { return c == '(' || c == '['; }) >
-      std::count_if(all.begin(), all.end(), [](char c) { return c == ')' || c == ']'; });
+    return chosenColumn(quantity.symbol, chosen->second, table);
   }
-  return headings;
+  int best = -1, equal = -1;
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+  {
+    if (quantityOf(plainName(table.columns[k].name)) != &quantity)
+    {
+      continue;
+    }
+    const int here = rank(quantity, table.columns[k]);
+    const int before = best < 0 ? here + 1 : rank(quantity, table.columns[std::size_t(best)]);
+    equal = here == before ? static_cast<int>(k) : here < before ? -1 : equal;
+    best = here < before ? static_cast<int>(k) : best;
+  }
+  if (equal >= 0)
+  {
+    throw Error(table.file, headingPlace(table),
+      "the columns " + quoted(table.columns[std::size_t(best)].text) + " and " +
+        quoted(table.columns[std::size_t(equal)].text) + " both stand for " + quantity.symbol +
+        "; choose one: ring_columns = { " + lowered(quantity.symbol) + " = \"" +
+        table.columns[std::size_t(best)].text + "\" } in [galaxy], or leave one out");
+  }
+  return best;
 }
 
-std::map<std::string, std::string> ecsvUnits(const std::vector<std::string>& comments)
+void chooseGalaxy(TextTable& table, const RingOptions& options)
 {
-  std::map<std::string, std::string> units;
-  for (const std::string& comment : comments)
+  const int column = galaxyColumn(table, options);
+  if (column < 0)
   {
-    if (comment.compare(0, 3, "- {") == 0)
+    if (!options.galaxyName.empty())
     {
-      units[flowValue(comment, "name")] = flowValue(comment, "unit");
+      throw Error(table.file, headingPlace(table),
+        "has no column with the galaxies' names, Name or Galaxy; leave ring_galaxy and GalaxyName "
+        "out");
+    }
+    return;
+  }
+  const auto nameOf = [&](const TableRow& row) { return row.cells[std::size_t(column)]; };
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (const TableRow& row : table.rows)
+  {
+    if (seen.insert(nameOf(row)).second)
+    {
+      names.push_back(nameOf(row));
     }
   }
-  return units;
+  if (options.galaxyName.empty())
+  {
+    if (names.size() > 1)
+    {
+      throw Error(table.file, "column " + quoted(table.columns[std::size_t(column)].text),
+        "holds " + std::to_string(names.size()) + " galaxies, " + listed(names) + choose);
+    }
+    return;
+  }
+  const bool exact = seen.count(options.galaxyName) > 0;
+  const auto isOther = [&](const TableRow& row) {
+    return exact ? nameOf(row) != options.galaxyName
+                 : bareName(nameOf(row)) != bareName(options.galaxyName);
+  };
+  table.rows.erase(std::remove_if(table.rows.begin(), table.rows.end(), isOther), table.rows.end());
+  if (table.rows.empty())
+  {
+    throw Error(table.file, "column " + quoted(table.columns[std::size_t(column)].text),
+      "there is no galaxy " + quoted(options.galaxyName) + suggestion(options.galaxyName, names));
+  }
 }
 } // namespace galaxy

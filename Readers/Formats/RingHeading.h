@@ -3,14 +3,14 @@
 
 #include "Readers/Formats/RingTable.h"
 #include "Readers/Formats/RingUnits.h"
+#include "Readers/Formats/TextTable.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
 namespace galaxy
 {
-/// One quantity of a ring and the headings it goes by, in small letters without dots.
+/// One quantity of a ring and the names it goes by, as plainName makes them.
 struct Quantity
 {
   const char* symbol;
@@ -18,30 +18,30 @@ struct Quantity
   bool required;
   Dimension dimension;
   std::vector<std::string> names;
+  /// Names that stand for it only where none of the others does: a circular velocity is not quite
+  /// that of the rotation, and I may be an intensity.
+  std::vector<std::string> lesserNames;
 };
 
 /// The quantities r, vrot, Z0, i, PA, SBR, vrad and vsys, in this order.
 const std::vector<Quantity>& ringQuantities();
 
-/// The heading of one column.
-struct Heading
-{
-  std::string text; ///< as written
-  std::string name; ///< without the unit
-  std::string unit;
-  const Quantity* quantity = nullptr; ///< null for a column of another kind
-};
+/// The quantity of a name; null where it is of none.
+const Quantity* quantityOf(const std::string& name);
 
-/// Reads "r[arcsec]", "Z0 (pc)", "r_kpc", "P.A.(deg)", "Rotation velocity".
-Heading parseHeading(const std::string& cell);
+/// What columns of ring tables are called: the quantities' symbols, "name" for that of the galaxy,
+/// and what the options call a column.
+TableWords ringWords(const RingOptions& options);
 
-/// The cells of a row: by commas where there are any, else by blanks; quotation marks stripped.
-std::vector<std::string> splitRow(const std::string& text);
-/// The same, a unit in brackets kept with the name before it.
-std::vector<std::string> splitHeadings(const std::string& text);
+/// The column that holds a quantity: the one that the options name; else of several an angular
+/// length rather than one that was derived from it by the program's own distance, and the better
+/// name. -1 where there is none. Throws Error where two are equally good, or the options' is not
+/// there.
+int columnOf(const Quantity& quantity, const TextTable& table, const RingOptions& options);
 
-/// Names and units of an ECSV header's lines `- {name: r, unit: arcsec, datatype: float64}`.
-std::map<std::string, std::string> ecsvUnits(const std::vector<std::string>& comments);
+/// Leaves the rows of the galaxy that the options name. Throws Error, listing the names, where
+/// there are several and none is chosen, or where the chosen one is not there.
+void chooseGalaxy(TextTable& table, const RingOptions& options);
 } // namespace galaxy
 
 #endif

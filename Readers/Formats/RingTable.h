@@ -1,6 +1,7 @@
 #ifndef galaxy_RingTable_h
 #define galaxy_RingTable_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -73,17 +74,23 @@ struct RingOptions
   double distance = 0;                    ///< Mpc, for lengths in pc and kpc; 0: unknown
   double pixelScale = 0;                  ///< arcsec, for lengths in pixels; 0: unknown
   LayerLaw layerLaw = LayerLaw::FromFile; ///< in place of the file's
+  std::string galaxyName; ///< whose rows of a table with several galaxies; empty: it has one
+  /// What the table calls the column of a quantity (r, vrot, Z0, i, PA, SBR, vrad, vsys) or of the
+  /// galaxies' names (name), where it is not the usual.
+  std::map<std::string, std::string> columns;
 };
 
 /// Reads a tilted-ring model, recognising the format from the content:
-///  - TiRiFiC and FAT .def: KEYWORD= values, `#` comments. A value list shorter than NUR holds its
-///    last value; disk n has the keywords KEYWORD_n. Two disks with AZ1W = 180 whose AZ1P differ by
-///    180 degrees are the two sides of one disc, each of which is read as a whole one.
-///  - GIPSY ROTCUR: columns radius, width, vsys, err, vrot, err, vexp, err, PA, err, i, err, ...;
+///  - TiRiFiC and FAT .def: KEYWORD= values, as TirificKeywords reads them. A value list shorter
+///    than NUR holds its last value; disk n has the keywords KEYWORD_n. Two disks with AZ1W = 180
+///    whose AZ1P differ by 180 degrees are the two sides of one disc, each of which is read as a
+///    whole one.
+///  - GIPSY ROTCUR and NEMO rotcur: see RingRotcur.cxx;
 ///  - DiskFit velocity fits (.out): see RingDiskFit.cxx for its warp;
-///  - columns named by a heading, in any order: 3DBarolo, CSV, ECSV, or text under a `#` heading.
-///    Units stand in the heading, `r[arcsec]`, `z0(pc)`, `r_kpc`, or in the ECSV header; without
-///    them lengths are arcsec, velocities km/s and angles degrees;
+///  - columns named by a heading, in any order, as TextTable reads them: 3DBarolo, CSV, ECSV, IPAC,
+///    VizieR, CDS, LaTeX, or text under a comment. Without units lengths are arcsec, velocities
+///    km/s and angles degrees. A heading of which a needed column is not understood is refused. Of
+///    tables with a column Name or Galaxy, options.galaxyName chooses the rows.
 ///  - plain: five columns r vrot Z0 i PA.
 /// Lengths become arcsec: those in pc and kpc need options.distance, those in pixels
 /// options.pixelScale. Throws Error naming the file and the line, keyword or column.

@@ -2,36 +2,23 @@
 #define galaxy_RingText_h
 
 #include "Readers/Formats/RingTable.h"
+#include "Readers/Formats/TextFile.h"
 
 #include <string>
 #include <vector>
 
 namespace galaxy
 {
-/// One line of a text file, its number counted from 1.
-struct TextLine
-{
-  int number = 0;
-  std::string text;
-};
-
-/// The lines of a text, with Unix, DOS or old Macintosh line ends.
-std::vector<TextLine> splitLines(const std::string& text);
-
-/// The cells of a line, separated by blanks, tabs or commas.
-std::vector<std::string> splitCells(const std::string& text);
-
-/// The text without blanks at its ends, in small letters.
-std::string trimmed(const std::string& text);
-std::string lowered(std::string text);
-
-/// The whole cell as a finite number (a Fortran D exponent is understood); false where it is none.
-bool parseNumber(std::string cell, double& number);
-
 // The formats: each with the test that recognises it.
 
-/// Rings as one row of columns each: plain, GIPSY ROTCUR, or named by a heading.
+/// Rings as one row of columns each, plain or named by a heading.
 RingTable parseRingColumns(
+  const std::vector<TextLine>& lines, const std::string& file, const RingOptions& options);
+
+/// True where the text is of GIPSY's or NEMO's ROTCUR.
+bool isRotcur(const std::vector<TextLine>& lines);
+/// What ROTCUR prints: rows whose columns its heading names in its own words.
+RingTable parseRotcur(
   const std::vector<TextLine>& lines, const std::string& file, const RingOptions& options);
 
 /// True where the text has lines of the form KEYWORD= values.

@@ -124,8 +124,10 @@ RingTable readDisk(const TirificKeywords& keywords, int disk, const std::string&
   }
   for (const FurtherParameter& parameter : furtherParameters)
   {
-    addColumn(
-      table, parameter.keyword, parameter.unit, keywords.numbers(ofDisk(parameter.keyword, disk)));
+    // Only of a right ascension are colons hours; other values have none.
+    const bool ascension = std::string(parameter.keyword) == "XPOS";
+    addColumn(table, parameter.keyword, parameter.unit,
+      keywords.angles(ofDisk(parameter.keyword, disk), ascension));
   }
   for (const FurtherParameter& parameter : errors)
   {

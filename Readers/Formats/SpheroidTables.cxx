@@ -10,6 +10,19 @@ namespace galaxy
 {
 namespace
 {
+NumberTable clusterTable(const std::string& text, const std::string& file)
+{
+  return NumberTable(text, file,
+    { { "x", Measure::Kpc }, { "y", Measure::Kpc }, { "z", Measure::Kpc },
+      { "ra", Measure::RightAscension,
+        { "ra_icrs", "raj2000", "ra_j2000", "_raj2000", "radeg", "right_ascension" } },
+      { "dec", Measure::Degrees,
+        { "de_icrs", "dec_icrs", "dej2000", "decj2000", "dec_j2000", "_dej2000", "dedeg", "decdeg",
+          "declination", "de" } },
+      { "distance", Measure::Mpc, { "dist" } }, { "luminosity", Measure::Number, { "lum" } },
+      { "radius", Measure::Kpc } });
+}
+
 /// Seen from Earth at (0, 0, D), the direction through (x, y) of the plane Z = 0.
 Vec3 skyPlace(const NumberTable& table, std::size_t row, const SkyFrame& sky, double distance)
 {
@@ -38,7 +51,7 @@ double unwrapped(double angle, double before, double period)
 std::vector<StarCluster> parseClusterList(
   const std::string& text, const std::string& file, const SkyPosition& centre, double distance)
 {
-  const NumberTable table(text, file);
+  const NumberTable table = clusterTable(text, file);
   const SkyFrame sky(centre, distance);
   const bool cartesian = table.has("x") || table.has("y") || table.has("z");
   std::vector<StarCluster> clusters(table.size());
@@ -59,10 +72,24 @@ std::vector<StarCluster> parseClusterList(
   return clusters;
 }
 
+std::vector<StarCluster> parseClusterList(const std::string& text, const std::string& file)
+{
+  if (!clusterTable(text, file).has("x"))
+  {
+    throw Error(file, "x", "the columns must be x, y and z, for no sky is known here");
+  }
+  return parseClusterList(text, file, {}, 1);
+}
+
 std::vector<EllipsoidShell> parseEllipsoidShells(const std::string& text, const std::string& file)
 {
   constexpr Range ratio = { 0, 1, true };
-  const NumberTable table(text, file);
+  const NumberTable table(text, file,
+    { { "semi_major", Measure::Kpc, { "semi_major_axis", "semimajor_axis", "semimajor", "sma" } },
+      { "axis_ratio_b", Measure::Number, { "b/a" } },
+      { "axis_ratio_c", Measure::Number, { "c/a" } },
+      { "position_angle", Measure::Degrees, { "pa" } },
+      { "inclination", Measure::Degrees, { "inc", "incl" } } });
   std::vector<EllipsoidShell> shells(table.size());
   for (std::size_t row = 0; row < table.size(); ++row)
   {

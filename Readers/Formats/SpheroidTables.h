@@ -10,11 +10,15 @@
 namespace galaxy
 {
 /// Star clusters from the text of a file with a heading: columns x, y, z (kpc, in the galaxy's
-/// frame), or ra, dec (ICRS degrees) and optionally distance (Mpc; without it in the plane Z = 0),
-/// and optionally luminosity (of any unit) and radius (kpc). Other columns are not looked at.
-/// Throws Error naming file and line.
+/// frame), or ra, dec (ICRS degrees, or hours and degrees with colons) and optionally distance
+/// (Mpc; without it in the plane Z = 0), and optionally luminosity (of any unit) and radius (kpc).
+/// Lengths may have units of their own, x[pc]. Other columns are not looked at. Throws Error naming
+/// file and line.
 std::vector<StarCluster> parseClusterList(
   const std::string& text, const std::string& file, const SkyPosition& centre, double distance);
+
+/// The same where no sky is known: columns x, y, z alone.
+std::vector<StarCluster> parseClusterList(const std::string& text, const std::string& file);
 
 /// Nested ellipsoids from the text of a file with a heading: columns semi_major (kpc, increasing),
 /// axis_ratio_b, axis_ratio_c, position_angle (degrees) and optionally inclination (degrees). From

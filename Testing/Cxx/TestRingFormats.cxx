@@ -164,7 +164,11 @@ TEST(RingFormats, MissingScalesAreAskedFor)
   EXPECT_EQ(messageOf("r,vrot(mph),i,pa\n1,2,3,4\n"),
     "some.rings: column 'vrot(mph)': 'mph' is no unit of velocity known here; use km/s or m/s");
   EXPECT_EQ(messageOf("r,velocity,i,pa\n1,2,3,4\n"),
-    "some.rings: line 1: the heading must name a column vrot");
+    "some.rings: line 1: the heading must name a column vrot (vrot, v_rot, rotation_velocity, "
+    "rotationvelocity, rotational_velocity, rot_vel, rotvel, v_rotation, vrotation, vc, v_c, "
+    "vcirc, "
+    "v_circ, circular_velocity, v, vobs, v_obs, vt, v_t, vphi, v_phi); not known here are "
+    "'velocity'; use ring_columns = { vrot = \"its name\" } in [galaxy] for one that is it");
   EXPECT_EQ(messageOf("r,vrot,i,pa\n1,,3,4\n"),
     "some.rings: line 2: column 2 (vrot) must be a finite number, not ''");
 }
