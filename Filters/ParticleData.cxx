@@ -179,6 +179,13 @@ std::string describe(const RenderStatistics& statistics)
   {
     text << ", " << statistics.invalid << " invalid";
   }
+  if (statistics.tooBright)
+  {
+    text << "; " << statistics.tooBright
+         << " values of radiance are more than 3.4e38, the most that single precision holds, and "
+            "given "
+            "as that: choose a larger unit of luminosity";
+  }
   if (statistics.sampled)
   {
     text << "; a random " << statistics.sampled << " stand for all";

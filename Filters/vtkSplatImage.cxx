@@ -123,6 +123,13 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
                     << " particles with a NaN, infinite or negative value were left out; correct "
                        "their point arrays");
   }
+  if (image.statistics.tooBright > 0)
+  {
+    vtkWarningMacro(
+      << image.statistics.tooBright
+      << " values of Radiance are more than 3.4e38, the most that its single precision "
+         "holds, and given as that; choose a larger unit of luminosity");
+  }
   output->SetExtent(0, image.width - 1, 0, image.height - 1, 0, 0);
   addChannels(output, "Radiance", image.radiance);
   addChannels(output, "Transmittance", image.transmittance);

@@ -28,7 +28,7 @@ struct Workspace
   TileSums sums;
   double seconds[2] = { 0, 0 }; ///< sort, composite
   float thickest = 0;
-  std::size_t untouched = 0, faint = 0;
+  std::size_t untouched = 0, faint = 0, tooBright = 0;
   OrderNeeds tiles;
   ErrorBound bound;
 };
@@ -68,7 +68,8 @@ private:
   void draw(int tile, const TileTask& task, Workspace& work) const;
   void add(const std::vector<std::unique_ptr<Workspace>>& works);
   void loadOpaque(int tile, const PixelBox& box, TileSums& sums) const;
-  void store(int tile, const TileTask& task, const TileLight& sums, RenderedImage& image) const;
+  void store(int tile, const TileTask& task, const TileLight& sums, Workspace& work,
+    RenderedImage& image) const;
 
   Projection projection;
   Camera camera;
@@ -76,7 +77,7 @@ private:
   const RenderOptions& options;
   ErrorBound allowed;
   ParticleCounts counts;
-  std::size_t untouched = 0, faint = 0;
+  std::size_t untouched = 0, faint = 0, tooBright = 0;
   OrderNeeds tiles;
   ErrorBound bound;
   float thickest = 0;
@@ -95,6 +96,7 @@ RenderedImage Compositor::render()
   image.statistics.untouched = this->untouched;
   image.statistics.thickest = this->thickest;
   image.statistics.faint = this->faint;
+  image.statistics.tooBright = this->tooBright;
   image.statistics.bound = this->bound;
   const char* names[] = { "count", "project", "sort", "composite" };
   for (int stage = 0; stage < 4; ++stage)
@@ -173,6 +175,7 @@ void Compositor::add(const std::vector<std::unique_ptr<Workspace>>& works)
     this->thickest = std::max(this->thickest, work->thickest);
     this->untouched += work->untouched;
     this->faint += work->faint;
+    this->tooBright += work->tooBright;
     this->tiles += work->tiles;
     this->bound.light = std::max(this->bound.light, work->bound.light);
     this->bound.share = std::max(this->bound.share, work->bound.share);
@@ -197,9 +200,14 @@ TilePlan Compositor::planOf(const TileBand& band, int tile, Workspace& work) con
   const TileSummary summary(task, isBounded);
   task.absorption = summary.absorption;
   task.brightest = summary.brightest;
-  task.negligible = static_cast<float>(this->allowed.light / 2);
+  // As splats' light is counted.
+  const ErrorBound allowed = { this->allowed.light / this->projection.splatUnit(),
+    this->allowed.share };
+  task.negligible =
+    static_cast<float>(std::min<double>(allowed.light / 2, std::numeric_limits<float>::max()));
   task.opaque = static_cast<float>(this->allowed.share / 2);
-  plan.omission = summary.omission(this->allowed);
+  plan.omission = summary.omission(allowed);
+  plan.omission.bound.light *= this->projection.splatUnit();
   const bool absorbs = summary.absorption != TileAbsorption::None;
   task.isOneSource = absorbs && summary.source.holds();
   plan.isOrdered = absorbs && plan.omission.isOrdered && !task.isOneSource;
@@ -249,7 +257,7 @@ void Compositor::renderTile(const TileBand& band, int tile, Workspace& work, Ren
   }
   work.seconds[0] += omp_get_wtime() - start;
   this->draw(tile, task, work);
-  this->store(tile, task, work.sums.all, image);
+  this->store(tile, task, work.sums.all, work, image);
 }
 
 /// Draws to the sums.
@@ -305,7 +313,7 @@ void Compositor::renderInPieces(const TileBand& band, int tile,
       lights[0]->add(
         *lights[k], plan.task.isOneSource ? TileAbsorption::None : plan.task.absorption);
     }
-    this->store(tile, plan.task, *lights[0], image);
+    this->store(tile, plan.task, *lights[0], *works[0], image);
   }
 }
 
@@ -321,10 +329,11 @@ void Compositor::loadOpaque(int tile, const PixelBox& box, TileSums& sums) const
   }
 }
 
-void Compositor::store(
-  int tile, const TileTask& task, const TileLight& sums, RenderedImage& image) const
+void Compositor::store(int tile, const TileTask& task, const TileLight& sums, Workspace& work,
+  RenderedImage& image) const
 {
   const PixelBox& box = task.pixels;
+  const double unit = this->projection.splatUnit();
   for (int y = box.y0; y < box.y1; ++y)
   {
     const std::size_t first = std::size_t(this->grid.bottomOf(tile) + y) * this->camera.width +
@@ -334,22 +343,16 @@ void Compositor::store(
       for (int c = 0; c < 3; ++c)
       {
         const std::size_t k = 3 * (first + x - box.x0) + c;
-        const double light = sums.light.values[c][y][x];
-        if (task.isOneSource)
+        // Where there is one source, what was added up are the optical depths.
+        const double sum = sums.light.values[c][y][x];
+        const double light = task.isOneSource ? -task.source[c] * std::expm1(-sum) : sum;
+        image.radiance[k] = toSingle(unit * light, work.tooBright);
+        if (task.absorption != TileAbsorption::None)
         {
-          // What was added up are the optical depths.
-          image.radiance[k] = static_cast<float>(-task.source[c] * std::expm1(-light));
-          image.transmittance[k] = static_cast<float>(std::exp(-light));
-          continue;
+          const int plane = task.absorption == TileAbsorption::Grey ? 0 : c;
+          const double tau = task.isOneSource ? sum : sums.tau.values[plane][y][x];
+          image.transmittance[k] = static_cast<float>(std::exp(-tau));
         }
-        if (task.absorption == TileAbsorption::None)
-        {
-          image.radiance[k] = static_cast<float>(light);
-          continue;
-        }
-        const int plane = task.absorption == TileAbsorption::Grey ? 0 : c;
-        image.radiance[k] = static_cast<float>(light);
-        image.transmittance[k] = static_cast<float>(std::exp(-sums.tau.values[plane][y][x]));
       }
     }
   }

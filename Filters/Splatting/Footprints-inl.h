@@ -197,7 +197,9 @@ private:
         ? hn::Set(tag, 0.5F)
         : cumulative(
             tag, hn::MulAdd(scale, hn::Set(tag, static_cast<float>(N)), hn::Mul(scale, d)));
-      hn::StoreU(hn::Sub(following(before, next), before), tag, share + i);
+      // Rounding may make a share of almost nothing less than that.
+      const V all = hn::Max(hn::Sub(following(before, next), before), hn::Zero(tag));
+      hn::StoreU(all, tag, share + i);
       before = next;
     }
   }

@@ -102,7 +102,12 @@ void JointParticles::addLight(const ParticleView& part, std::size_t at)
   const Projection projection(plain, { Camera(), Kernel::Gaussian });
   for (std::size_t i = 0; i < part.size; ++i)
   {
-    const ParticleLight light = projection.light(i);
+    ParticleLight light = projection.light(i);
+    for (int c = 0; c < 3; ++c)
+    {
+      light.L[c] *= static_cast<float>(projection.lightUnit());
+      light.K[c] *= static_cast<float>(projection.depthUnit());
+    }
     std::copy_n(light.L, 3, &this->arrays.emission[3 * (at + i)]);
     if (!this->arrays.absorption.empty())
     {

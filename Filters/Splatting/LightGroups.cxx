@@ -50,6 +50,7 @@ RenderStatistics statisticsOf(const std::vector<ScaledImage>& parts)
     sum.tiles = part.tiles.ordered > sum.tiles.ordered ? part.tiles : sum.tiles;
     sum.untouched += part.untouched;
     sum.faint += part.faint;
+    sum.tooBright += part.tooBright;
     sum.bound.light += mostOf(parts[k].second) * part.bound.light;
     sum.bound.share = std::max(sum.bound.share, part.bound.share);
     sum.coarse = std::max(sum.coarse, part.coarse);
@@ -77,7 +78,9 @@ std::shared_ptr<RenderedImage> sumOf(const std::vector<ScaledImage>& parts)
       {
         light += part.second[c] * part.first->radiance[3 * pixel + c];
       }
-      sum->radiance[3 * pixel + c] = static_cast<float>(light);
+      // As bright as single precision can have it, see toSingle().
+      sum->radiance[3 * pixel + c] =
+        static_cast<float>(std::min<double>(light, std::numeric_limits<float>::max()));
     }
   }
   sum->statistics = statisticsOf(parts);

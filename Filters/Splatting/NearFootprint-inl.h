@@ -37,12 +37,14 @@ HWY_NOINLINE void addNodes(const float (&values)[TileNodes::size], float (*sums)
   {
     for (int x = 0; x < tileSide; x += lanes())
     {
-      V sum = hn::LoadU(tag, sums[y] + x);
+      V sum = hn::Zero(tag);
       for (int i = 0; i < TileNodes::side; ++i)
       {
         sum = hn::MulAdd(hn::Set(tag, tileNodes.share[i][y]), hn::Load(tag, rows[i] + x), sum);
       }
-      hn::StoreU(sum, tag, sums[y] + x);
+      // Where there is almost nothing a polynomial may be less.
+      sum = hn::Max(sum, hn::Zero(tag));
+      hn::StoreU(hn::Add(hn::LoadU(tag, sums[y] + x), sum), tag, sums[y] + x);
     }
   }
 }
@@ -147,7 +149,7 @@ public:
         const V circle = profileAt<isExact>(hn::MulAdd(du, du, hn::Mul(dv, dv)));
         profile = hn::MulAdd(share, hn::Sub(circle, profile), profile);
       }
-      const V before = hn::Add(cumulative(tag, s), half);
+      const V before = hn::Max(hn::Add(cumulative(tag, s), half), hn::Zero(tag));
       hn::Store(hn::Mul(hn::Mul(peak, profile), before), tag, this->values + k);
     }
     return true;
@@ -171,13 +173,6 @@ public:
       HWY_ALIGN float nodes[TileNodes::size];
       std::copy_n(this->values, TileNodes::size, nodes);
       addNodes(nodes, this->table);
-      for (auto& row : this->table)
-      {
-        for (int x = 0; x < tileSide; x += lanes())
-        {
-          hn::StoreU(hn::Max(hn::LoadU(tag, row + x), hn::Zero(tag)), tag, row + x);
-        }
-      }
     }
   }
 

@@ -96,8 +96,10 @@ public:
   /// Whether there are fewer slices than the options ask for.
   bool isCoarse() const { return this->slices.inner == mostSlices; }
 
-  void march(RenderedImage& image) const
+  /// Light is counted in such a unit; says how many values single precision does not hold.
+  std::size_t march(double unit, RenderedImage& image) const
   {
+    std::size_t tooBright = 0;
     for (int y = this->box.y0; y < this->box.y1; ++y)
     {
       for (int x = this->box.x0; x < this->box.x1; ++x)
@@ -113,11 +115,12 @@ public:
             I += T * sum[c] * escapeFraction(sum[3 + c]);
             T *= std::exp(-sum[3 + c]);
           }
-          image.radiance[3 * pixel + c] = static_cast<float>(I);
+          image.radiance[3 * pixel + c] = toSingle(unit * I, tooBright);
           image.transmittance[3 * pixel + c] = static_cast<float>(T);
         }
       }
     }
+    return tooBright;
   }
 
 private:
@@ -292,13 +295,13 @@ RenderedImage renderOverlapping(
 {
   RenderedImage image = emptyPicture(camera);
   const double start = omp_get_wtime();
-  const Projection projection(particles, { camera, options.kernel });
+  Projection projection(particles, { camera, options.kernel });
   RenderMemory own;
   WorkProgress progress(options.progress);
   const TileDealer dealer(projection, options.memory ? *options.memory : own, progress);
   const TileGrid& grid = dealer.grid();
   ParticleCounts counts = dealer.missing();
-  std::atomic<std::size_t> coarse{ 0 };
+  std::atomic<std::size_t> coarse{ 0 }, tooBright{ 0 };
   for (int k = 0; k < dealer.bands() && !progress.isAborted(); ++k)
   {
     const TileBand& band = dealer.deal(k);
@@ -310,7 +313,7 @@ RenderedImage renderOverlapping(
       {
         TileSlicer slicer(camera, options, grid, tile);
         slicer.draw(band.splats.data() + first, count, dealer.depthsOf(tile), projection);
-        slicer.march(image);
+        tooBright += slicer.march(dealer.splatUnit(), image);
         coarse += slicer.isCoarse();
         progress.advance(count);
       }
@@ -318,6 +321,7 @@ RenderedImage renderOverlapping(
   }
   finishPicture(counts, { 1, 0, 0 }, progress.isAborted(), image);
   image.statistics.coarse = coarse;
+  image.statistics.tooBright = tooBright;
   image.statistics.bySlices = true;
   image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
   return image;

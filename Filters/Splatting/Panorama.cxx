@@ -173,6 +173,7 @@ void addStatistics(const RenderStatistics& from, RenderStatistics& to)
   to.sampled = std::max(to.sampled, from.sampled);
   to.untouched += from.untouched;
   to.faint += from.faint;
+  to.tooBright += from.tooBright;
   to.bound.light = std::max(to.bound.light, from.bound.light);
   to.bound.share = std::max(to.bound.share, from.bound.share);
   to.thickest = std::max(to.thickest, from.thickest);

@@ -6,6 +6,7 @@
 #include "Readers/Formats/AvailableMemory.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace galaxy
@@ -37,6 +38,14 @@ inline RenderedImage emptyPicture(const Camera& camera)
   image.transmittance.resize(values);
   wipe(image);
   return image;
+}
+
+/// As a picture has it; counts what is more than single precision holds.
+inline float toSingle(double light, std::size_t& tooBright)
+{
+  constexpr double largest = std::numeric_limits<float>::max();
+  tooBright += light > largest;
+  return static_cast<float>(std::min(light, largest));
 }
 
 /// Says what became of the particles; a picture that was given up is empty.

@@ -3,6 +3,7 @@
 #include "Filters/Splatting/SplatBlock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,19 @@ bool isAmount(double x)
   return x >= 0 && x < 1e30;
 }
 
+/// Of the power of two that is no less; 0 of what is no positive number.
+int exponentOf(double x)
+{
+  int exponent = 0;
+  const bool isPower = x > 0 && std::frexp(x, &exponent) == 0.5;
+  return x > 0 && x < HUGE_VAL ? exponent - isPower : 0;
+}
+
+double mostOf(const std::array<double, 3>& channels)
+{
+  return *std::max_element(channels.begin(), channels.end());
+}
+
 int clampedFloor(double x, int low, int high)
 {
   const double inRange = std::clamp(x, double(low), double(high));
@@ -24,12 +38,14 @@ int clampedFloor(double x, int low, int high)
 }
 } // namespace
 
-Projection::Factors::Factors(const ComponentInfo& component, double weight)
+Projection::Factors::Factors(const ComponentInfo& component, double weight, const LightScale& scale)
   : size(component.size)
-  , light(static_cast<float>(component.brightness * component.light * weight))
-  , opacity(static_cast<float>(component.brightness * weight))
   , isRecolored(component.isRecolored)
 {
+  const double opaque = std::ldexp(component.brightness * weight, -scale.depth);
+  const double bright = std::ldexp(component.brightness * component.light * weight, -scale.light);
+  this->light = static_cast<float>(bright);
+  this->opacity = static_cast<float>(opaque);
   for (int c = 0; c < 3; ++c)
   {
     const double color = component.isRecolored ? component.color[c] : 1;
@@ -50,18 +66,72 @@ Projection::Projection(const ParticleView& particles_, const Lens& lens_)
   const std::size_t components =
     this->particles.components ? this->particles.components->size() : 0;
   const std::size_t shown = this->particles.visible ? this->particles.visible->size() : 0;
-  const ComponentInfo plain;
-  for (std::size_t k = 0; k < std::max<std::size_t>({ components, shown, 1 }); ++k)
+  double mostLight = 0, mostDepth = 0;
+  for (std::size_t k = 0; k < components; ++k)
   {
-    const ComponentInfo& info = k < components ? (*this->particles.components)[k] : plain;
-    this->table.emplace_back(info, this->particles.weight);
+    const ComponentInfo& info = (*this->particles.components)[k];
+    const double opaque = info.brightness * this->particles.weight;
+    const auto& dims = info.isRecolored ? info.color : info.absorption;
     this->hasSizes |= info.size != 1;
+    mostLight = std::max(
+      mostLight, opaque * info.light * (info.isRecolored ? std::max(1.0, mostOf(info.color)) : 1));
+    mostDepth = std::max(mostDepth, opaque * (info.absorbs ? std::max(1.0, mostOf(dims)) : 1));
   }
-  for (std::size_t k = 0; k < shown; ++k)
+  const bool isPlain = components == 0;
+  this->lightFactor = exponentOf(isPlain ? this->particles.weight : mostLight);
+  this->depthFactor = exponentOf(isPlain ? this->particles.weight : mostDepth);
+  this->scale = { this->lightFactor, this->depthFactor, -this->lightFactor };
+  this->table.resize(std::max<std::size_t>({ components, shown, 1 }));
+  this->makeTable();
+}
+
+void Projection::makeTable()
+{
+  const std::size_t components =
+    this->particles.components ? this->particles.components->size() : 0;
+  const std::size_t shown = this->particles.visible ? this->particles.visible->size() : 0;
+  for (std::size_t k = 0; k < this->table.size(); ++k)
   {
-    this->table[k].visible = (*this->particles.visible)[k];
+    const ComponentInfo info = k < components ? (*this->particles.components)[k] : ComponentInfo();
+    this->table[k] = Factors(info, this->particles.weight, this->scale);
+    this->table[k].visible = k >= shown || (*this->particles.visible)[k];
     this->hasHidden |= !this->table[k].visible;
   }
+}
+
+bool Projection::holds(float brightest, bool hasLight) const
+{
+  // Hundreds of such, grown by what hides them, are no more than float can hold; and what is
+  // fainter by thirty orders is there.
+  const bool isInRange = brightest <= 0x1p110F && (this->isFitted || brightest >= 0x1p-64F);
+  const auto isModest = [](int exponent) { return std::abs(exponent) < 40; };
+  const bool areFactors = isModest(this->lightFactor) && isModest(this->depthFactor);
+  return (isInRange || !hasLight) && (areFactors || this->isFitted);
+}
+
+void Projection::fitLight()
+{
+  double L = 0, e = 0, K = 0;
+#pragma omp parallel for reduction(max : L, e, K)
+  for (std::size_t i = 0; i < this->particles.size; ++i)
+  {
+    ParticleCounts counts;
+    if (!this->classify(i, counts).empty())
+    {
+      const ParticleLight light = this->light(i);
+      const double ratio = this->placeOf(i).ratio;
+      L = std::max<double>(L, mostOf(light.L));
+      K = std::max<double>(K, mostOf(light.K));
+      e = std::max(e, mostOf(light.L) * ratio * ratio);
+    }
+  }
+  this->isFitted = true;
+  // Neither the factors nor the pixels' areas may be more than float can hold.
+  const int light = this->scale.light;
+  this->scale.light = std::max(light + exponentOf(L) - 50, this->lightFactor - 100);
+  this->scale.area = light + exponentOf(e) - 60 - this->scale.light;
+  this->scale.depth = std::max(this->scale.depth + exponentOf(K) - 64, this->depthFactor - 100);
+  this->makeTable();
 }
 
 const float* Projection::radii(std::size_t i, int count, float* scaled) const
@@ -87,6 +157,8 @@ void Projection::light(
   std::size_t first, const std::uint32_t* which, int count, BlockLights& lights) const
 {
   const ParticleView& p = this->particles;
+  lights.areaOfLight = std::ldexp(1.0, -this->scale.area);
+  lights.areaOfDepth = std::ldexp(1.0, this->scale.depth);
   // The most common arrays, with nothing to look up.
   const bool isPlain = p.emission && p.absorption && this->table.size() == 1;
   const float light = this->table[0].light, opacity = this->table[0].opacity;
@@ -173,9 +245,7 @@ PixelBox Projection::classify(std::size_t i, ParticleCounts& counts) const
   const Place p = this->placeOf(i);
   PixelBox box;
   const bool absorbs = light.absorbs();
-  // Luminosity per pixel area must stay finite in float.
-  const bool finite = p.ratio > 0 && double(light.most()) * p.ratio * p.ratio < 1e37;
-  if (finite && this->visible(i) && (absorbs || light.emits()))
+  if (p.ratio > 0 && this->visible(i) && (absorbs || light.emits()))
   {
     box.x0 = clampedFloor(p.x - p.h, 0, camera.width);
     box.y0 = clampedFloor(p.y - p.h, 0, camera.height);

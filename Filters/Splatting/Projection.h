@@ -8,6 +8,7 @@
 #include "Filters/Splatting/TileGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace galaxy
@@ -31,14 +32,18 @@ struct ParticleLight
     }
     return is;
   }
-  /// The largest of the six.
-  float most() const
-  {
-    return std::max({ this->L[0], this->L[1], this->L[2], this->K[0], this->K[1], this->K[2] });
-  }
   bool emits() const { return this->L[0] > 0 || this->L[1] > 0 || this->L[2] > 0; }
   bool absorbs() const { return this->K[0] > 0 || this->K[1] > 0 || this->K[2] > 0; }
   bool grey() const { return this->K[0] == this->K[1] && this->K[1] == this->K[2]; }
+};
+
+/// Powers of two that light and cross-sections are counted in, so that single precision holds them
+/// in any unit; only what is too small beside the others is lost. They are exact: pictures do not
+/// hang on them.
+struct LightScale
+{
+  int light = 0, depth = 0; ///< of what Projection::light() gives
+  int area = 0;             ///< of luminosity over the pixels' area, beside those
 };
 
 /// So many consecutive particles are projected together.
@@ -62,7 +67,8 @@ public:
   /// components have factors.
   const float* radii(std::size_t i, int count, float* scaled) const;
 
-  /// What particle i emits and absorbs as drawn: overrides and component factors applied.
+  /// What particle i emits and absorbs as drawn, in lightUnit() and depthUnit(): overrides and
+  /// component factors applied.
   ParticleLight light(std::size_t i) const
   {
     const ParticleView& p = this->particles;
@@ -110,11 +116,34 @@ public:
     SlabLight slab;
     for (int c = 0; c < 3; ++c)
     {
-      slab.e[c] = light.L[c] * name.perArea;
-      slab.t[c] = light.K[c] * name.perArea;
+      slab.e[c] = light.L[c] * name.lightArea;
+      slab.t[c] = light.K[c] * name.depthArea;
+      if (slab.t[c] > mostDepth)
+      {
+        // As opaque, and as bright by its source.
+        const double depth = double(light.K[c]) * name.depthArea;
+        slab.e[c] = static_cast<float>(slab.e[c] * (mostDepth / depth));
+        slab.t[c] = mostDepth;
+      }
     }
     return slab;
   }
+  /// An optical depth over a pixel that is opaque however far a footprint spreads it.
+  static constexpr float mostDepth = 1e34F;
+  /// In a pixel, from here on an absorber's edge is seen: it is drawn in double precision.
+  static constexpr float thick = 32;
+
+  double lightUnit() const { return std::ldexp(1.0, this->scale.light); }
+  double depthUnit() const { return std::ldexp(1.0, this->scale.depth); }
+  /// What splats' luminosities over a pixel's area are counted in.
+  double splatUnit() const { return std::ldexp(1.0, this->scale.light + this->scale.area); }
+
+  /// Whether single precision holds light and cross-sections as they are counted, the brightest
+  /// splat's light being so much, if there is any.
+  bool holds(float brightest, bool hasLight) const;
+  /// Counts it so that it does, after a look at all particles.
+  void fitLight();
+
   /// Of any splat.
   SlabLight lightOf(const Splat& splat) const
   {
@@ -191,7 +220,7 @@ private:
     bool visible = true;
 
     Factors() = default;
-    Factors(const ComponentInfo& component, double weight);
+    Factors(const ComponentInfo& component, double weight, const LightScale& scale);
   };
   const Factors& factors(std::size_t i) const
   {
@@ -199,8 +228,14 @@ private:
     return this->table[std::min(k, this->table.size() - 1)];
   }
 
+  /// The components' factors, as the scale has them.
+  void makeTable();
+
   ParticleView particles;
   Lens eye;
+  LightScale scale;
+  int lightFactor = 0, depthFactor = 0; ///< exponents of the largest factors
+  bool isFitted = false;
   std::vector<Factors> table;
   bool hasSizes = false;  ///< some component's size is not 1
   bool hasHidden = false; ///< some component is not shown

@@ -41,8 +41,8 @@ Disc discOf(const Projection& projection, std::size_t i)
   const double perArea = place.isNear ? 1 : place.ratio * place.ratio;
   for (int c = 0; c < 3; ++c)
   {
-    disc.e[c] = light.L[c] * perArea;
-    disc.t[c] = light.K[c] * perArea;
+    disc.e[c] = light.L[c] * projection.lightUnit() * perArea;
+    disc.t[c] = light.K[c] * projection.depthUnit() * perArea;
   }
   return disc;
 }
@@ -93,7 +93,8 @@ void addDisc(const Disc& disc, std::size_t pixel, double share, Sums& sums)
 RenderedImage pictureOf(const Sums& sums, const Camera& camera, const ParticleCounts& counts)
 {
   RenderedImage image = emptyPicture(camera);
-  std::copy(sums.I.begin(), sums.I.end(), image.radiance.begin());
+  std::transform(sums.I.begin(), sums.I.end(), image.radiance.begin(),
+    [&image](double I) { return toSingle(I, image.statistics.tooBright); });
   std::transform(sums.tau.begin(), sums.tau.end(), image.transmittance.begin(),
     [](double tau) { return static_cast<float>(std::exp(-tau)); });
   finishPicture(counts, { 1, 0, 0 }, false, image);

@@ -66,6 +66,7 @@ struct RenderStatistics : ParticleCounts
   std::size_t untouched = 0; ///< splats in tiles behind what lets no light through
   std::size_t faint = 0;     ///< splats left out as too faint to matter (Bounded)
   ErrorBound bound;          ///< on the error of what was left out (Bounded)
+  std::size_t tooBright = 0; ///< values of radiance beyond single precision, given as its largest
   double thickest = 0;       ///< the largest optical depth of one particle
   std::size_t coarse = 0;    ///< tiles with fewer slices than asked for (Overlapping)
   std::vector<std::pair<std::string, double>> seconds; ///< by stage

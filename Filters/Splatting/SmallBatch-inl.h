@@ -146,7 +146,7 @@ private:
     {
       const auto edge = hn::Add(start, hn::Set(d, static_cast<float>(k)));
       const auto after = cumulative(d, hn::Mul(a, hn::Add(edge, hn::Set(d, 1.0F))));
-      put(k, hn::Sub(after, before));
+      put(k, hn::Max(hn::Sub(after, before), zero));
       before = after;
     }
     return edges;

@@ -14,7 +14,7 @@ enum class SplatKind : std::uint32_t
 {
   Emits,   ///< adds `light`
   Absorbs, ///< dims by the optical depth `light`
-  Slab,    ///< both; `light` says which particle it is (SlabName)
+  Slab,    ///< both, or is very thick; `light` says which particle it is (SlabName)
   Near,    ///< a NearParticle, on all pixels; named like a slab
 };
 
@@ -91,19 +91,14 @@ struct TileDepths
 struct SlabName
 {
   std::uint32_t particle;
-  float perArea; ///< what its light is multiplied with
+  float lightArea, depthArea; ///< what its luminosity and its cross-section are multiplied with
 
-  void write(float* light) const
-  {
-    std::memcpy(light, &this->particle, sizeof(float));
-    light[1] = this->perArea;
-    light[2] = 0;
-  }
   static SlabName of(const Splat& splat)
   {
     SlabName name;
     std::memcpy(&name.particle, &splat.light[0], sizeof(float));
-    name.perArea = splat.light[1];
+    name.lightArea = splat.light[1];
+    name.depthArea = splat.light[2];
     return name;
   }
 };

@@ -213,8 +213,14 @@ HWY_INLINE hn::Vec<Ints> storePlace(W x, hn::Vec<Ints> tile, float* part)
   return hn::Add(hn::DemoteTo(ints, whole), hn::Set(ints, Splat::middle));
 }
 
-void projectPlaces(
-  const BlockPlaces& places, int count, const Lens& lens, const TileGrid& grid, SplatBlock& block)
+HWY_INLINE void storeFinite(W v, float* to)
+{
+  const W largest = hn::Set(wide, std::numeric_limits<float>::max());
+  hn::StoreU(hn::DemoteTo(half, hn::Min(v, largest)), half, to);
+}
+
+void projectPlaces(const BlockPlaces& places, const BlockLights& areas, int count, const Lens& lens,
+  const TileGrid& grid, SplatBlock& block)
 {
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(wide)))
   {
@@ -225,7 +231,9 @@ void projectPlaces(
     hn::StoreU(hn::Or(column, hn::ShiftLeft<Splat::rowBit>(row)), ints,
       reinterpret_cast<std::int32_t*>(block.where + k));
     hn::StoreU(hn::DemoteTo(half, hn::Min(seen.h, hn::Set(wide, 1e15))), half, block.h + k);
-    hn::StoreU(hn::DemoteTo(half, hn::Mul(seen.ratio, seen.ratio)), half, block.perArea + k);
+    const W perArea = hn::Mul(seen.ratio, seen.ratio);
+    storeFinite(hn::Mul(perArea, hn::Set(wide, areas.areaOfLight)), block.lightArea + k);
+    storeFinite(hn::Mul(perArea, hn::Set(wide, areas.areaOfDepth)), block.depthArea + k);
     const W all = hn::IfThenElseZero(seen.isNear, hn::Set(wide, -1.0));
     hn::StoreU(hn::DemoteTo(ints, all), ints, block.near + k);
   }
@@ -259,10 +267,21 @@ HWY_INLINE I wordOf(Fate fate)
   return hn::Set(words, static_cast<std::int32_t>(fate));
 }
 
+/// All bits of the lanes from k on that are before `count`.
+HWY_INLINE I countedLanes(int k, int count)
+{
+  return hn::BitCast(
+    words, hn::VecFromMask(words, hn::Lt(hn::Iota(words, k), hn::Set(words, count))));
+}
+
 /// Puts the light to the places.
 void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
 {
   const F zero = hn::Zero(floats), largest = hn::Set(floats, std::numeric_limits<float>::max());
+  const F mostDepth = hn::Set(floats, Projection::mostDepth);
+  // In a pixel: the peak of a Gaussian, which is above that of a spline, is 2.87 where h is 1.
+  const F peak = hn::Set(floats, 2.87F), thick = hn::Set(floats, Projection::thick);
+  F brightest = zero;
   for (int k = 0; k < count; k += static_cast<int>(hn::Lanes(floats)))
   {
     F L[3], K[3];
@@ -277,21 +296,25 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
     }
     const F mostL = mostOf(L[0], L[1], L[2]), mostK = mostOf(K[0], K[1], K[2]);
     const auto emits = hn::Gt(mostL, zero), absorbs = hn::Gt(mostK, zero);
-    const F perArea = hn::LoadU(floats, block.perArea + k);
-    // Luminosity per pixel area must stay finite in float.
-    const auto isShown = hn::And(hn::Or(emits, absorbs),
-      hn::Lt(hn::Mul(hn::Max(mostL, mostK), perArea), hn::Set(floats, 1e37F)));
+    const F lightArea = hn::LoadU(floats, block.lightArea + k);
+    const F depthArea = hn::LoadU(floats, block.depthArea + k);
+    const auto isShown = hn::Or(emits, absorbs);
     const auto isGrey = hn::And(hn::Eq(K[0], K[1]), hn::Eq(K[1], K[2]));
 
     const I absorbing = flags(absorbs), grey = flags(isGrey);
     const I slab = hn::And(flags(emits), absorbing);
     const I near = hn::LoadU(words, block.near + k);
-    const I isNamed = hn::Or(slab, near);
+    const F radius = hn::LoadU(floats, block.h + k);
+    const F depth = hn::Min(hn::Mul(mostK, depthArea), mostDepth);
+    const I isThick =
+      flags(hn::Gt(hn::Mul(depth, peak), hn::Mul(thick, hn::Max(hn::Mul(radius, radius), peak))));
+    const I named = hn::Or(slab, hn::And(absorbing, isThick));
+    const I isNamed = hn::Or(named, near);
     const auto wordOfKind = [](SplatKind kind) {
       return hn::Set(words, static_cast<std::int32_t>(kind));
     };
-    const I farKind =
-      hn::And(absorbing, choose(slab, wordOfKind(SplatKind::Slab), wordOfKind(SplatKind::Absorbs)));
+    const I farKind = hn::And(
+      absorbing, choose(named, wordOfKind(SplatKind::Slab), wordOfKind(SplatKind::Absorbs)));
     const I kind = choose(near, wordOfKind(SplatKind::Near), farKind);
     I fate = choose(slab, choose(grey, wordOf(Fate::SlabGrey), wordOf(Fate::SlabColors)),
       choose(grey, wordOf(Fate::AbsorbsGrey), wordOf(Fate::AbsorbsColors)));
@@ -303,19 +326,25 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
     F light[3];
     for (int c = 0; c < 3; ++c)
     {
-      light[c] = hn::Mul(hn::IfThenElse(absorbs, K[c], L[c]), perArea);
+      light[c] = hn::IfThenElse(
+        absorbs, hn::Min(hn::Mul(K[c], depthArea), mostDepth), hn::Mul(L[c], lightArea));
     }
     const I name = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(lights.particle) + k);
     const auto asFloat = [](I bits) { return hn::BitCast(floats, bits); };
     light[0] = asFloat(choose(isNamed, name, hn::BitCast(words, light[0])));
-    light[1] = asFloat(choose(isNamed, hn::BitCast(words, perArea), hn::BitCast(words, light[1])));
-    light[2] = asFloat(hn::AndNot(isNamed, hn::BitCast(words, light[2])));
+    const auto areaOr = [&](F area, F other) {
+      return asFloat(choose(isNamed, hn::BitCast(words, area), hn::BitCast(words, other)));
+    };
+    light[1] = areaOr(lightArea, light[1]);
+    light[2] = areaOr(depthArea, light[2]);
+    const I bright = hn::And(shown, hn::BitCast(words, hn::Mul(mostL, lightArea)));
+    brightest = hn::Max(brightest, hn::And(asFloat(bright), asFloat(countedLanes(k, count))));
     for (F& l : light)
     {
       l = asFloat(hn::And(shown, hn::BitCast(words, l)));
     }
     // What is not shown lies beside every tile.
-    const F h = asFloat(hn::And(shown, hn::BitCast(words, hn::LoadU(floats, block.h + k))));
+    const F h = asFloat(hn::And(shown, hn::BitCast(words, radius)));
     const I beside = hn::Set(words,
       static_cast<std::int32_t>(Splat::pack(-Splat::farPixel, -Splat::farPixel, SplatKind::Emits)));
     const I place = hn::LoadU(words, reinterpret_cast<const std::int32_t*>(block.where) + k);
@@ -324,12 +353,13 @@ void lightPlaces(const BlockLights& lights, int count, SplatBlock& block)
       hn::LoadU(floats, block.y + k), h, floats, block.head[k]);
     hn::StoreInterleaved4(zero, light[0], light[1], light[2], floats, block.tail[k]);
   }
+  block.brightest = hn::GetLane(hn::MaxOfLanes(floats, brightest));
 }
 
 void projectVectors(const BlockPlaces& places, const BlockLights& lights, int count,
   const Lens& lens, const TileGrid& grid, SplatBlock& block)
 {
-  projectPlaces(places, count, lens, grid, block);
+  projectPlaces(places, lights, count, lens, grid, block);
   lightPlaces(lights, count, block);
 }
 

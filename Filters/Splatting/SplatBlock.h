@@ -65,6 +65,8 @@ struct BlockLights
   float L[3][most]; ///< luminosity
   float K[3][most]; ///< cross-section, kpc^2
   std::uint32_t particle[most];
+  /// Factors on the pixels' areas, see LightScale.
+  double areaOfLight = 1, areaOfDepth = 1;
 };
 
 /// What becomes of a particle.
@@ -75,7 +77,7 @@ enum class Fate : std::int32_t
   AbsorbsColors, ///< differently in the three channels
   SlabGrey,      ///< emits and absorbs
   SlabColors,
-  Culled, ///< has no light, or more than float can hold
+  Culled, ///< has no light
   Invalid,
 };
 constexpr int fates = 7;
@@ -95,6 +97,7 @@ struct SplatBlock
   }
 
   BlockTiles tiles;
+  float brightest; ///< the largest luminosity over a pixel's area
   Fate fate[most];
   alignas(64) float head[most][4]; ///< Splat's first half, as the first tile sees it
   alignas(64) float tail[most][4]; ///< its second half
@@ -102,7 +105,8 @@ struct SplatBlock
   // What is known before the light is.
   std::uint32_t where[most];
   float x[most], y[most], h[most];
-  float perArea[most];     ///< 1 / (pixel area there, kpc^2), whose h the kernel keeps
+  /// 1 / (pixel area there, kpc^2), whose h the kernel keeps, times what lights say.
+  float lightArea[most], depthArea[most];
   std::int32_t near[most]; ///< all bits for a NearParticle
 };
 

@@ -112,11 +112,11 @@ struct Spread
   double K[3];
 };
 
-Spread spread(double radius, const float* K, double weight, double pixel, double sigmas)
+Spread spread(double radius, const double* K, double weight, double pixel, double sigmas)
 {
   static const BlackArea black;
   const Footprint before(sigmas * radius, pixel);
-  const double most = weight * before.blackArea(black, mostOf(K));
+  const double most = weight * before.blackArea(black, std::max({ K[0], K[1], K[2] }));
   const bool isThin = before.isThin(most);
   const double wide = std::max(0.7 * pixel, std::sqrt(most / (pi * mostBlack)));
   const double sigma = std::max(sigmas * radius, isThin ? 0 : wide);
@@ -163,11 +163,13 @@ ParticleView SpreadAbsorbers::of(const ParticleView& particles, const Camera& ca
     const double pixel = projection.pixelAt(i);
     if (light.absorbs() && projection.valid(i, light) && (radius > 0 || pixel > 0))
     {
-      const Spread wide = spread(radius, light.K, weight, pixel, sigmas);
+      const double unit = projection.depthUnit();
+      const double K[3] = { light.K[0] * unit, light.K[1] * unit, light.K[2] * unit };
+      const Spread wide = spread(radius, K, weight, pixel, sigmas);
       radius = wide.radius;
       for (int c = 0; c < 3; ++c)
       {
-        const double share = light.K[c] > 0 ? wide.K[c] / (weight * light.K[c]) : 1;
+        const double share = K[c] > 0 ? wide.K[c] / (weight * K[c]) : 1;
         light.L[c] = static_cast<float>(light.L[c] * share);
         light.K[c] = static_cast<float>(light.K[c] * share);
       }
@@ -177,8 +179,13 @@ ParticleView SpreadAbsorbers::of(const ParticleView& particles, const Camera& ca
     std::copy_n(light.K, 3, &this->arrays.absorption[3 * i]);
   }
   // The components' factors are in these already.
+  ComponentInfo unit;
+  unit.brightness = projection.depthUnit();
+  unit.light = projection.lightUnit() / projection.depthUnit();
+  this->units.assign(
+    particles.visible ? std::max<std::size_t>(1, particles.visible->size()) : 1, unit);
   ParticleView view = particles;
-  view.components = nullptr;
+  view.components = &this->units;
   view.emissionChannels = view.absorptionChannels = 3;
   return this->arrays.view(view);
 }

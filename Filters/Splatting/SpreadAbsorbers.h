@@ -4,6 +4,8 @@
 #include "Filters/Splatting/Camera.h"
 #include "Filters/Splatting/ParticleArrays.h"
 
+#include <vector>
+
 namespace galaxy
 {
 /// Absorbers that each stand for many. As small as they are, they would be as opaque as all of
@@ -20,6 +22,7 @@ public:
 
 private:
   ParticleArrays arrays;
+  std::vector<ComponentInfo> units; ///< of these arrays, one for each component
 };
 } // namespace galaxy
 

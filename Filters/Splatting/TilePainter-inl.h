@@ -10,6 +10,7 @@
 #include "Filters/Splatting/Absorb-inl.h"
 #include "Filters/Splatting/AddLight-inl.h"
 #include "Filters/Splatting/BlockHits.h"
+#include "Filters/Splatting/ExactFootprint-inl.h"
 #include "Filters/Splatting/NearFootprint-inl.h"
 #include "Filters/Splatting/SmallBatch-inl.h"
 #include "Filters/Splatting/TileComposite.h"
@@ -173,6 +174,12 @@ private:
     else if constexpr (planes == 0)
     {
       const SlabLight light = this->task.projection->lightOf(splat);
+      if (this->task.isOneSource &&
+        this->isThick(splat, mostOf(light.t) * footprint.mostOfAPixel()))
+      {
+        this->drawExactly(splat, light);
+        return;
+      }
       this->emit(this->task.isOneSource ? light.t : light.e, footprint);
     }
     else
@@ -182,6 +189,11 @@ private:
       if (thickest == 0)
       {
         this->emit(light.e, footprint);
+        return;
+      }
+      if (this->isThick(splat, thickest))
+      {
+        this->drawExactly(splat, light);
         return;
       }
       if (thickest > this->opaqueFrom)
@@ -206,6 +218,29 @@ private:
         isThin ? this->absorb<false, true>(light, footprint)
                : this->absorb<false, false>(light, footprint);
       }
+    }
+  }
+
+  HWY_INLINE bool isThick(const Splat& splat, float thickest) const
+  {
+    return thickest > Projection::thick &&
+      (splat.kind() == SplatKind::Slab || splat.kind() == SplatKind::Near);
+  }
+
+  HWY_NOINLINE void drawExactly(const Splat& splat, const SlabLight& light)
+  {
+    if (!this->exact.prepare(splat, this->task))
+    {
+      return;
+    }
+    this->count(this->exact.box);
+    if constexpr (planes == 0)
+    {
+      this->emit(light.t, this->exact);
+    }
+    else
+    {
+      this->absorbAll(light, this->exact);
     }
   }
 
@@ -380,6 +415,7 @@ private:
   TileSums& sums;
   WideBatch late; ///< not yet in the sums
   NearFootprint near;
+  ExactFootprint exact;
   NearLight lateNear;   ///< not yet in the sums
   BlockHits hits;       ///< in this span
   float depth = 0;      ///< of the splat that is drawn, kpc; only where something is opaque

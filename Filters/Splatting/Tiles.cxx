@@ -98,6 +98,7 @@ public:
     }
     this->count(counts);
   }
+  float brightest() const { return this->mostLight; }
 
 private:
   int sizeAt(std::size_t i) const
@@ -134,6 +135,7 @@ private:
     projection.light(i, list.which, list.count, this->lights);
     projectBlock(
       this->places, this->lights, list.count, projection.lens(), this->dealer.tiles, *this->block);
+    this->mostLight = std::max(this->mostLight, this->block->brightest);
     for (int k = 0; k < list.count; ++k)
     {
       const std::uint32_t home = this->block->tiles.home[k];
@@ -232,11 +234,11 @@ private:
   BlockLights lights;
   float scaledRadii[SplatBlock::most];
   List lists[2];
+  float mostLight = 0;           ///< of a splat over a pixel's area
   std::size_t tally[fates] = {}; ///< particles by fate
 };
 
-TileDealer::TileDealer(
-  const Projection& projection_, RenderMemory& memory_, WorkProgress& progress_)
+TileDealer::TileDealer(Projection& projection_, RenderMemory& memory_, WorkProgress& progress_)
   : projection(projection_)
   , tiles(projection_.lens().camera().width, projection_.lens().camera().height)
   , memory(memory_)
@@ -321,7 +323,6 @@ const TileBand& TileDealer::deal(int k) const
   band.firstTile = firstTile;
   band.lastTile = lastTile;
   band.first.assign(width + 1, 0);
-  band.counts = {};
   // Tile after tile, and in a tile share after share, which is the order of the particles' index.
   std::vector<std::vector<std::size_t>> places(parts, std::vector<std::size_t>(width));
   std::size_t sum = 0;
@@ -341,15 +342,34 @@ const TileBand& TileDealer::deal(int k) const
   }
   const double share = double(sum) / double(std::max<std::size_t>(1, this->sum));
   this->progress.begin(dealingShare * share, this->projection.size());
+  this->fill(band, places);
+  if (!this->projection.holds(band.brightest, band.counts.emitters > 0) &&
+    !this->progress.isAborted())
+  {
+    this->projection.fitLight();
+    this->progress.begin(0, this->projection.size());
+    this->fill(band, places);
+  }
+  this->progress.begin((1 - countingShare - dealingShare) * share, sum);
+  return band;
+}
+
+/// `places` are where each share's splats of each tile begin.
+void TileDealer::fill(TileBand& band, const std::vector<std::vector<std::size_t>>& places) const
+{
+  const std::size_t parts = this->counts.size();
+  band.counts = {};
+  band.brightest = 0;
   parallelFor<std::size_t>(0, parts, [&](std::size_t part) {
     ParticleCounts counted;
     SplatWriter writer(band.splats, places[part]);
     const std::unique_ptr<Share> share(new Share(*this, part, parts));
-    share->deal(writer, { firstTile, lastTile, this->tiles.columns }, counted);
+    share->deal(writer, { band.firstTile, band.lastTile, this->tiles.columns }, counted);
 #pragma omp critical
-    band.counts += counted;
+    {
+      band.counts += counted;
+      band.brightest = std::max(band.brightest, share->brightest());
+    }
   });
-  this->progress.begin((1 - countingShare - dealingShare) * share, sum);
-  return band;
 }
 } // namespace galaxy

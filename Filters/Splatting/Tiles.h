@@ -21,6 +21,7 @@ struct TileBand
   std::vector<std::size_t> first; ///< of each tile's splats, and of those after the last
   SplatMemory splats;             ///< tile after tile, in a tile by the particles' index
   ParticleCounts counts;          ///< of the particles that have a splat here
+  float brightest = 0;            ///< the largest luminosity of a splat over a pixel's area
 };
 
 /// What a picture is made in: 16 bytes a particle, or 64 MB.
@@ -36,7 +37,7 @@ class TileDealer
 public:
   /// Projects every particle and counts the splats of every tile. Throws Error if there are more
   /// particles than 32 bits can number. Where the picture is aborted there are no bands.
-  TileDealer(const Projection& projection, RenderMemory& memory, WorkProgress& progress);
+  TileDealer(Projection& projection, RenderMemory& memory, WorkProgress& progress);
 
   /// How many bands the tiles make, so many that the splats of each fit into memory: with the home
   /// of every particle 16 bytes for each of them, and no less than 64 MB.
@@ -45,6 +46,9 @@ public:
   /// The splats of band k; the same for any number of threads. They are written over those of the
   /// band before. Not to be used where the picture was aborted meanwhile.
   const TileBand& deal(int k) const;
+  /// What the splats' luminosities over a pixel's area are counted in, until the next band is
+  /// dealt.
+  double splatUnit() const { return this->projection.splatUnit(); }
 
   const TileGrid& grid() const { return this->tiles; }
   const TileDepths& depthsOf(int tile) const { return this->depths[tile]; }
@@ -56,8 +60,9 @@ private:
   class Share;
 
   void cutIntoBands();
+  void fill(TileBand& band, const std::vector<std::vector<std::size_t>>& places) const;
 
-  const Projection& projection;
+  Projection& projection;
   TileGrid tiles;
   RenderMemory& memory;
   WorkProgress& progress;
