@@ -7,7 +7,8 @@
  *
  * Point array `Intensity` (float64; NaN where the image is blank). A point lies at its FITS pixel
  * coordinates: the first pixel's centre is (1, 1). The header's cards are the string array
- * `FITSHeader` of the field data, the unit the string array `Unit`.
+ * `FITSHeader` of the field data, the unit the string array `Unit`; `Note`
+ * says what was done or left out beyond the standard (asinh magnitudes, distortion tables).
  */
 #ifndef vtkFITSImageReader_h
 #define vtkFITSImageReader_h

@@ -47,8 +47,11 @@ SkyFace::SkyFace(const Camera& ahead, int face, double scale)
   this->seen.right = normalized(cross(this->seen.forward, beside));
   this->seen.up = cross(this->seen.right, this->seen.forward);
   this->seen.scale = scale;
-  // Two pixels more than 45 degrees to all sides, for the interpolation.
-  const int side = 2 * (static_cast<int>(std::ceil(scale)) + 2);
+  // Two pixels more than 45 degrees to all sides, for the interpolation. What no memory holds is
+  // refused where it is drawn.
+  constexpr double largest = 1 << 29;
+  const double half = std::ceil(scale) + 2;
+  const int side = 2 * static_cast<int>(half < largest ? half : largest);
   this->seen.width = this->seen.height = side;
   this->seen.centerX = this->seen.centerY = 0.5 * side;
 }

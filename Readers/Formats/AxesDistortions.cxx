@@ -88,6 +88,12 @@ void AxesCards::writeWat()
   {
     return;
   }
+  if (this->longitude != 0)
+  {
+    // IRAF's polynomials are of longitude and latitude, WCSLIB's of the first axis and the second.
+    throw Error(this->file, "CTYPE" + this->named(0),
+      "the projection " + this->projection + " must have its longitude first" + cure);
+  }
   for (int k = 0; k < 2; ++k)
   {
     const std::string& polynomial = corrections[static_cast<std::size_t>(k)].polynomial;

@@ -69,12 +69,13 @@ std::optional<double> degreesOf(const std::string& text)
   return std::nullopt;
 }
 
-/// A length in degrees: of "10.8" the unit of the comment, of "10.8 arcsec" its own.
-std::optional<double> angleOf(const FitsHeader& header, const std::string& keyword)
+/// A length in degrees: of "10.8" the unit of the comment, or else the usual one; of "10.8 arcsec"
+/// its own.
+std::optional<double> angleOf(const FitsHeader& header, const std::string& keyword, double usual)
 {
   if (const std::optional<double> number = header.number(keyword))
   {
-    return *number * degreesOf(header.comment(keyword)).value_or(1);
+    return *number * degreesOf(header.comment(keyword)).value_or(usual);
   }
   const std::string text = header.text(keyword).value_or("");
   const std::size_t end = std::min(text.find_first_of(" \"acdmr"), text.size());
@@ -83,12 +84,32 @@ std::optional<double> angleOf(const FitsHeader& header, const std::string& keywo
   return number && unit ? std::optional<double>(*number * *unit) : std::nullopt;
 }
 
-std::optional<Beam> beamOfKeywords(const FitsHeader& header, const std::string& major,
-  const std::string& minor, const std::string& positionAngle)
+/// The keywords of a program, and how many degrees its unit of lengths is.
+struct BeamKeywords
 {
-  const std::optional<double> length = angleOf(header, major);
-  return fromDegrees(length.value_or(0), angleOf(header, minor).value_or(length.value_or(0)),
-    angleOf(header, positionAngle).value_or(0));
+  const char* major;
+  const char* minor;
+  const char* positionAngle;
+  double unit;
+};
+
+std::optional<Beam> beamOfKeywords(const FitsHeader& header)
+{
+  static const BeamKeywords programs[] = { { "BMAJ", "BMIN", "BPA", 1 },
+    { "CLEANBMJ", "CLEANBMN", "CLEANBPA", 1 },           // Obit
+    { "BMMAJ", "BMMIN", "BMPA", 1 / arcsecPerDegree } }; // GIPSY
+  for (const BeamKeywords& names : programs)
+  {
+    const double major = angleOf(header, names.major, names.unit).value_or(0);
+    const double minor = angleOf(header, names.minor, names.unit).value_or(major);
+    const auto beam =
+      fromDegrees(major, minor, angleOf(header, names.positionAngle, 1).value_or(0));
+    if (beam)
+    {
+      return beam;
+    }
+  }
+  return std::nullopt;
 }
 
 /// The median of a column of angles in degrees; 0 where there is none. A channel without data has a
@@ -164,8 +185,7 @@ double Beam::solidAngle() const
 std::optional<Beam> beamOf(const Image& image)
 {
   const FitsHeader header(image.cards);
-  std::optional<Beam> beam = beamOfKeywords(header, "BMAJ", "BMIN", "BPA");
-  beam = beam ? beam : beamOfKeywords(header, "CLEANBMJ", "CLEANBMN", "CLEANBPA");
+  std::optional<Beam> beam = beamOfKeywords(header);
   beam = beam ? beam : beamOfHistory(image.cards);
   return beam ? beam : beamOfTable(image.file);
 }

@@ -18,9 +18,10 @@ struct Beam
   double solidAngle() const;
 };
 
-/// From BMAJ, BMIN and BPA (or Obit's CLEANBMJ, CLEANBMN and CLEANBPA), in degrees unless value or
-/// comment name another unit, else from the last beam of the HISTORY that AIPS or CASA wrote, else
-/// the median beam of the file's BEAMS table; none where there is none of these.
+/// From BMAJ, BMIN and BPA (Obit's CLEANBMJ, CLEANBMN and CLEANBPA; GIPSY's BMMAJ, BMMIN and BMPA
+/// in arcsec), in degrees unless value or comment name another unit, else from the last beam of the
+/// HISTORY that AIPS or CASA wrote, else the median beam of the file's BEAMS table; none where
+/// there is none of these.
 std::optional<Beam> beamOf(const Image& image);
 
 /// Throws Error where the beam of the header is far wider than the image, whose pixels are `pixel`

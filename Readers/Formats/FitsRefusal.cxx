@@ -111,7 +111,8 @@ namespace
 {
 bool isHealpix(const FitsHdu& hdu)
 {
-  return upperCase(hdu.header.text("PIXTYPE").value_or("")) == "HEALPIX";
+  return upperCase(hdu.header.text("PIXTYPE").value_or("")) == "HEALPIX" ||
+    (hdu.header.text("NSIDE") && hdu.header.text("ORDERING"));
 }
 
 bool isEvents(const FitsHdu& hdu)

@@ -275,6 +275,7 @@ TEST(Beam, WhereverProgramsWriteIt)
       historyCard("> restoration: 10.8 by 7.2 (arcsec) at pa 82.5 (deg)"),
     82.5);
   expectBeam(card("CLEANBMJ", "3.0D-3") + card("CLEANBMN", "0.002") + card("CLEANBPA", "3"), 3);
+  expectBeam(card("BMMAJ", "10.8") + card("BMMIN", "7.2") + card("BMPA", "3"), 3);
   for (const auto& [major, minor] : { std::pair("10.8 / [arcsec] beam", "7.2 / [arcsec] beam"),
          { "10.8 / beam major axis in arcseconds", "7.2 / in arcseconds" },
          { "'10.8 arcsec'", "'7.2\"'" }, { "0.18 / (arcmin)", "0.12 / (arcmin)" },

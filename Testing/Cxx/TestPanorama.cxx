@@ -1,6 +1,7 @@
 // Panoramas: what is seen of a sky must not depend on where the cube's faces lie.
 #include "Filters/Splatting/Panorama.h"
 #include "Filters/Splatting/SkyFace.h"
+#include "Readers/Formats/Error.h"
 #include "RenderFixtures.h"
 
 #include <gtest/gtest.h>
@@ -209,6 +210,14 @@ TEST(Panorama, OfADomeTheAngleIsTheRadius)
     3;
   EXPECT_NEAR(at % 220 + 0.5, 110 + 90, 1);
   EXPECT_NEAR(at / 220 + 0.5, 100, 1);
+}
+
+// A dome of next to no angle needs faces of more pixels than can be counted.
+TEST(Panorama, FinerThanAnyMemoryIsRefused)
+{
+  auto panorama = panoramaOf(Panorama::Kind::Dome, 64, 64);
+  panorama.domeAngle = 1e-9;
+  EXPECT_THROW(renderPanorama(Scene().view(), panorama), Error);
 }
 
 TEST(Panorama, OutsideOfADomeNothingIsSeen)

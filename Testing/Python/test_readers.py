@@ -71,6 +71,18 @@ class Fits(gt.FolderTest):
         self.assertTrue(np.isnan(masked[2, 3]))
         self.assertEqual(np.isnan(masked).sum(), 1)
 
+    def test_asinh_magnitudes_are_linear(self):
+        stored = np.arange(6, dtype=np.float32).reshape(2, 3)
+        header = fits.Header()
+        header.update(BSOFTEN=120.0, BOFFSET=35.0)
+        fits.PrimaryHDU(stored, header).writeto(self.path("stack.fits"))
+        data = fetch(simple.FITSReader(FileName=self.path("stack.fits")))
+        values = gt.vtk_to_numpy(data.GetPointData().GetArray("Intensity"))
+        factor = 10 ** (stored.ravel() / 2.5)
+        np.testing.assert_allclose(values, 35 + 120 * (factor - 1 / factor), rtol=1e-6)
+        note = data.GetFieldData().GetAbstractArray("Note").GetValue(0)
+        self.assertIn("asinh", note)
+
     def refuse(self, reader, *words, **properties):
         with gt.Messages() as messages:
             proxy = reader(**properties)
