@@ -19,7 +19,7 @@ struct TileNodes
 
   /// Whether they tell what a NearParticle's pixels have to 1e-7 of its peak, the kernel's last
   /// e^-9 aside: its sigma is a sixth of its distance or more, and half a tile then no more than a
-  /// third of sigma.
+  /// third of sigma; or it is farther and at the side, where rays lie closer together.
   static bool suffice(const Camera& camera) { return camera.scale >= 9.0 * tileSide; }
 };
 extern const TileNodes tileNodes;
