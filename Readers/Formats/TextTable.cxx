@@ -221,7 +221,10 @@ TextTable parseTextTable(
   if (!table.rows.empty())
   {
     dropEmptyEnds(head, separator, table.rows);
-    readHeading(head, usualCount(table.rows), separator, words, table);
+    const TableHead above = { head, usualCount(table.rows), separator, words };
+    findNames(above, table);
+    readEcsvUnits(head, table);
+    findUnits(above, table);
   }
   std::vector<std::vector<std::string>*> cells;
   for (TableRow& row : table.rows)

@@ -170,6 +170,36 @@ Z0_2= 7
         names = [first.GetArrayName(i) for i in range(first.GetNumberOfArrays())]
         self.assertTrue(any("SDIS" in name or "ispersion" in name for name in names), names)
 
+    def test_a_galaxy_of_a_table_with_several(self):
+        text = """# %ECSV 1.0
+# ---
+# delimiter: ','
+# datatype:
+# - {name: Name, datatype: string}
+# - {name: bbRad, unit: arcsec, datatype: float64}
+# - {name: bbVrot, unit: km / s, datatype: float64}
+# - {name: bbInc, unit: deg, datatype: float64}
+# - {name: bbPA, unit: deg, datatype: float64}
+Name,bbRad,bbVrot,bbInc,bbPA
+NGC 1,10,100,40,80
+NGC 2,5,150,50,30
+NGC 2,15,160,51,31
+"""
+        with tempfile.NamedTemporaryFile("w", suffix=".ecsv") as file:
+            file.write(text)
+            file.flush()
+            cells = fetch(simple.TiltedRingReader(FileName=file.name, GalaxyName="ngc2")).GetCellData()
+            with gt.Messages() as messages:
+                simple.TiltedRingReader(FileName=file.name).UpdatePipeline()
+                simple.TiltedRingReader(FileName=file.name, GalaxyName="NGC 22").UpdatePipeline()
+        column = lambda name: list(gt.vtk_to_numpy(cells.GetArray(name)))
+        self.assertEqual(column("Radius"), [5, 15])
+        self.assertEqual(column("RotationVelocity"), [150, 160])
+        self.assertEqual(column("Inclination"), [50, 51])
+        self.assertEqual(column("PositionAngle"), [30, 31])
+        self.assertIn("holds 2 galaxies, NGC 1, NGC 2", messages.text)
+        self.assertIn("did you mean `NGC 2`?", messages.text)
+
     def test_galaxy_has_rings_and_images_by_name(self):
         reader = simple.GalaxyReader(FileName=gt.M83)
         reader.UpdatePipeline()
