@@ -2,8 +2,10 @@
 
 #include "Filters/AdoptBuffer.h"
 #include "Filters/PointArrays.h"
+#include "Filters/Vertices.h"
 #include "vtkSplatSettings.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -17,12 +19,76 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace galaxy
 {
 namespace
 {
+/// As the engine has it: a particle beyond that has no place, nor one with larger a kernel.
+constexpr double largestPlace = 1e30;
+
+bool isPlace(const double point[3])
+{
+  return std::all_of(point, point + 3, [](double value) { return std::abs(value) < largestPlace; });
+}
+
+/// Of the points that have a place.
+void finiteBounds(vtkPolyData* particles, double bounds[6])
+{
+  particles->GetBounds(bounds);
+  const double low[3] = { bounds[0], bounds[2], bounds[4] };
+  const double high[3] = { bounds[1], bounds[3], bounds[5] };
+  if (isPlace(low) && isPlace(high))
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    particles->GetPoint(i, point);
+    if (isPlace(point))
+    {
+      box.AddPoint(point);
+    }
+  }
+  box.GetBounds(bounds);
+}
+
+/// The largest of any particle, with the settings' size factors, kpc.
+double largestSmoothingLength(vtkPolyData* particles, vtkSplatSettings& settings)
+{
+  vtkDataArray* h = particles->GetPointData()->GetArray("SmoothingLength");
+  if (!h)
+  {
+    return 0;
+  }
+  std::vector<ComponentInfo> components = toComponents(particles->GetFieldData());
+  std::vector<bool> visible;
+  settings.Apply(components, visible);
+  double factor = 0;
+  for (const ComponentInfo& component : components)
+  {
+    factor = std::max(factor, component.size);
+  }
+  double range[2];
+  h->GetFiniteRange(range);
+  if (range[1] < largestPlace)
+  {
+    return std::max(0.0, factor * range[1]);
+  }
+  double largest = 0;
+  for (vtkIdType i = 0; i < h->GetNumberOfTuples(); ++i)
+  {
+    const double own = h->GetComponent(i, 0);
+    largest = own < largestPlace ? std::max(largest, own) : largest;
+  }
+  return factor * largest;
+}
+}
+
 void toFieldData(const std::vector<ComponentInfo>& components, vtkFieldData* fields)
 {
   vtkNew<vtkStringArray> names;
@@ -47,28 +113,6 @@ void toFieldData(const std::vector<ComponentInfo>& components, vtkFieldData* fie
   fields->AddArray(absorption);
   fields->AddArray(size);
   fields->AddArray(brightness);
-}
-
-/// The largest of any particle, with the settings' size factors, kpc.
-double largestSmoothingLength(vtkPolyData* particles, vtkSplatSettings& settings)
-{
-  vtkDataArray* h = particles->GetPointData()->GetArray("SmoothingLength");
-  if (!h)
-  {
-    return 0;
-  }
-  std::vector<ComponentInfo> components = toComponents(particles->GetFieldData());
-  std::vector<bool> visible;
-  settings.Apply(components, visible);
-  double factor = 0;
-  for (const ComponentInfo& component : components)
-  {
-    factor = std::max(factor, component.size);
-  }
-  double range[2];
-  h->GetFiniteRange(range);
-  return std::max(0.0, factor * range[1]);
-}
 }
 
 std::vector<ComponentInfo> toComponents(vtkFieldData* fields)
@@ -105,6 +149,7 @@ void toPolyData(Particles&& particles, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetData(adopt<vtkFloatArray>(particles.position, "Points", 3));
   output->SetPoints(points);
+  addVertices(output);
   vtkPointData* arrays = output->GetPointData();
   arrays->AddArray(adopt<vtkFloatArray>(particles.smoothingLength, "SmoothingLength", 1));
   arrays->AddArray(adopt<vtkFloatArray>(particles.intensity, "Intensity", 1));
@@ -117,7 +162,7 @@ void toPolyData(Particles&& particles, vtkPolyData* output)
   toFieldData(particles.components, output->GetFieldData());
 }
 
-bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleInput& input)
+void viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleInput& input)
 {
   input.components = toComponents(particles->GetFieldData());
   settings.Apply(input.components, input.visible);
@@ -125,38 +170,25 @@ bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleI
   view.size = static_cast<std::size_t>(particles->GetNumberOfPoints());
   view.components = &input.components;
   view.visible = &input.visible;
-  if (view.size == 0)
+  if (view.size > 0)
   {
-    return true;
+    fillView(particles, view);
   }
-  PointArrays arrays(particles, input.converted, input.problem);
-  arrays.fill(view);
-  if (input.problem.empty() && !view.smoothingLength)
-  {
-    input.problem =
-      "the particles have no point array SmoothingLength (kpc); use the filter SmoothingLength";
-  }
-  if (input.problem.empty() && !view.intensity && !view.emission && !view.absorption)
-  {
-    input.problem =
-      "the particles have none of the point arrays Intensity, Emission, Absorption; add one, with "
-      "Calculator for example";
-  }
-  return input.problem.empty();
 }
 
 void boundsOfKernels(vtkPolyData* particles, vtkSplatSettings& settings, double bounds[6])
 {
   vtkMath::UninitializeBounds(bounds);
-  if (particles && particles->GetNumberOfPoints() > 0)
+  if (!particles || particles->GetNumberOfPoints() == 0)
   {
-    particles->GetBounds(bounds);
-    const double h = largestSmoothingLength(particles, settings);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds[2 * axis] -= h;
-      bounds[2 * axis + 1] += h;
-    }
+    return;
+  }
+  finiteBounds(particles, bounds);
+  const double h = largestSmoothingLength(particles, settings);
+  for (int axis = 0; axis < 3 && bounds[0] <= bounds[1]; ++axis)
+  {
+    bounds[2 * axis] -= h;
+    bounds[2 * axis + 1] += h;
   }
 }
 

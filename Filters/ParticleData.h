@@ -4,13 +4,9 @@
 #include "Filters/Model/Particles.h"
 #include "Filters/Splatting/Render.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
 
-class vtkDataArray;
-class vtkDataObject;
 class vtkFieldData;
 class vtkPolyData;
 class vtkSplatSettings;
@@ -24,25 +20,26 @@ namespace galaxy
 /// Hands the particles over without copying them.
 void toPolyData(Particles&& particles, vtkPolyData* output);
 
+/// Adds the component table.
+void toFieldData(const std::vector<ComponentInfo>& components, vtkFieldData* fields);
+
 /// The component table; one unnamed component that emits where there is none.
 std::vector<ComponentInfo> toComponents(vtkFieldData* fields);
 
-/// Particles of a vtkPolyData as the engine draws them, with what had to be converted for it.
+/// Particles with plain arrays (PointArrays.h) as the engine draws them.
 struct ParticleInput
 {
   ParticleView view;
   std::vector<ComponentInfo> components;
   std::vector<bool> visible;
-  std::vector<vtkSmartPointer<vtkDataArray>> converted; ///< arrays of other types, as the engine's
-  std::string problem;                                  ///< why viewParticles failed
 };
 
-/// Sees the particles in place, with the settings applied to their component table. False, with
-/// `problem` said, where an array is missing or does not fit; `input` must outlive the view.
-bool viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleInput& input);
+/// Sees the particles in place, with the settings applied to their component table; `input` and
+/// they must outlive the view.
+void viewParticles(vtkPolyData* particles, vtkSplatSettings& settings, ParticleInput& input);
 
-/// Bounds of the particles with their kernels, kpc, with the settings' size factors; uninitialized
-/// where there are none.
+/// Bounds of the particles with their kernels, kpc, with the settings' size factors, but for
+/// particles at no finite place; uninitialized where there are none.
 void boundsOfKernels(vtkPolyData* particles, vtkSplatSettings& settings, double bounds[6]);
 
 /// The engine's options for the settings.

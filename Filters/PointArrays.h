@@ -1,7 +1,6 @@
 #ifndef galaxy_PointArrays_h
 #define galaxy_PointArrays_h
 
-#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -9,93 +8,49 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <string>
-#include <vector>
-
+/// The point arrays of particles, as the engine and the writers see them: `SmoothingLength`,
+/// `Intensity`, `Emission`, `Absorption` and `Velocity` as float32, `Color` as three bytes,
+/// `Component` as one.
 namespace galaxy
 {
-/// Pointers into the point arrays of particles, converting those of another type.
-class PointArrays
+/// The same particles with these arrays, and the points, in these types: a Color of floats is 0 to
+/// 1, of 16 bits 0 to 65535, of other integers 0 to 255; of one or two channels grey, a fourth is
+/// left out. Throws where a value has no place in its type, or an array another shape.
+vtkSmartPointer<vtkPolyData> withPlainArrays(vtkPolyData* particles);
+
+/// Null where there is none.
+template <typename Array>
+Array* plainArray(vtkPolyData* particles, const char* name)
 {
-public:
-  using Converted = std::vector<vtkSmartPointer<vtkDataArray>>;
+  return Array::SafeDownCast(particles->GetPointData()->GetAbstractArray(name));
+}
 
-  /// The copies go to `converted`, what is wrong to `problem`.
-  PointArrays(vtkPolyData* particles, Converted& converted, std::string& problem)
-    : particles(particles)
-    , converted(converted)
-    , problem(problem)
-  {
-  }
-
-  /// Null where the array is absent; says a problem where it has the wrong shape.
-  template <typename Array>
-  auto find(const char* name, int minChannels, int maxChannels)
-    -> decltype(Array::New()->GetPointer(0))
-  {
-    vtkDataArray* array = this->particles->GetPointData()->GetArray(name);
-    return array && this->fits(array, minChannels, maxChannels) ? this->as<Array>(array) : nullptr;
-  }
-
-  template <typename Array>
-  auto as(vtkDataArray* array) -> decltype(Array::New()->GetPointer(0))
-  {
-    Array* typed = Array::SafeDownCast(array);
-    if (!typed)
-    {
-      auto copy = vtkSmartPointer<Array>::New();
-      copy->DeepCopy(array);
-      this->converted.push_back(copy);
-      typed = copy;
-    }
-    return typed->GetPointer(0);
-  }
-
-  /// What particles are drawn and written by, into members named for it.
-  template <typename View>
-  void fill(View& view)
-  {
-    view.position = this->as<vtkFloatArray>(this->particles->GetPoints()->GetData());
-    view.smoothingLength = this->find<vtkFloatArray>("SmoothingLength", 1, 1);
-    view.intensity = this->find<vtkFloatArray>("Intensity", 1, 1);
-    view.color = this->find<vtkUnsignedCharArray>("Color", 3, 3);
-    view.component = this->find<vtkUnsignedCharArray>("Component", 1, 1);
-    view.emission = this->find<vtkFloatArray>("Emission", 1, 3);
-    view.absorption = this->find<vtkFloatArray>("Absorption", 1, 3);
-    view.emissionChannels = view.emission ? this->channels("Emission") : 3;
-    view.absorptionChannels = view.absorption ? this->channels("Absorption") : 3;
-  }
-
-private:
-  int channels(const char* name) const
-  {
-    return this->particles->GetPointData()->GetArray(name)->GetNumberOfComponents();
-  }
-
-  bool fits(vtkDataArray* array, int minChannels, int maxChannels)
-  {
-    const std::string name = std::string("point array ") + array->GetName();
-    const int channels = array->GetNumberOfComponents();
-    const vtkIdType points = this->particles->GetNumberOfPoints();
-    if (channels < minChannels || channels > maxChannels || channels == 2)
-    {
-      this->problem = name + " must have " + std::to_string(maxChannels) + " components, not " +
-        std::to_string(channels);
-      return false;
-    }
-    if (array->GetNumberOfTuples() != points)
-    {
-      this->problem = name + " must have " + std::to_string(points) + " values, one a point, not " +
-        std::to_string(array->GetNumberOfTuples());
-      return false;
-    }
-    return true;
-  }
-
-  vtkPolyData* particles;
-  Converted& converted;
-  std::string& problem;
-};
+/// What plain particles are drawn and written by, into members named for it.
+template <typename View>
+void fillView(vtkPolyData* particles, View& view)
+{
+  const auto floats = [&](const char* name) {
+    auto array = plainArray<vtkFloatArray>(particles, name);
+    return array ? array->GetPointer(0) : nullptr;
+  };
+  const auto bytes = [&](const char* name) {
+    auto array = plainArray<vtkUnsignedCharArray>(particles, name);
+    return array ? array->GetPointer(0) : nullptr;
+  };
+  const auto channels = [&](const char* name) {
+    auto array = plainArray<vtkFloatArray>(particles, name);
+    return array ? array->GetNumberOfComponents() : 3;
+  };
+  view.position = vtkFloatArray::SafeDownCast(particles->GetPoints()->GetData())->GetPointer(0);
+  view.smoothingLength = floats("SmoothingLength");
+  view.intensity = floats("Intensity");
+  view.color = bytes("Color");
+  view.component = bytes("Component");
+  view.emission = floats("Emission");
+  view.absorption = floats("Absorption");
+  view.emissionChannels = channels("Emission");
+  view.absorptionChannels = channels("Absorption");
+}
 } // namespace galaxy
 
 #endif

@@ -7,8 +7,10 @@
 #include "Filters/Model/SightLines.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
+#include "Filters/Vertices.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/Processes.h"
 #include "Readers/PropertyChecks.h"
 
 #include "vtkDoubleArray.h"
@@ -89,6 +91,7 @@ void toPolyData(SeedData&& data, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetData(adopt<vtkFloatArray>(positions, "Points", 3));
   output->SetPoints(points);
+  addVertices(output);
   toFieldData(data.galaxy, output);
   setFieldString(output, "SeedComponent", data.component);
   vtkNew<vtkDoubleArray> sampling;
@@ -136,6 +139,10 @@ void seedsToParticles(vtkPolyData* input, int randomSeed, bool velocities,
   const std::function<void(ComponentDescription&)>& change, const Progress& progress,
   vtkPolyData* output)
 {
+  if (input->GetNumberOfPoints() == 0 && !isFirstProcess())
+  {
+    return;
+  }
   SeedData data = toSeeds(input);
   change(data.description());
   BuildOptions options;

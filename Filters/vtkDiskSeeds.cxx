@@ -5,6 +5,7 @@
 #include "Readers/AlgorithmProgress.h"
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/Processes.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -40,6 +41,10 @@ int vtkDiskSeeds::FillInputPortInformation(int, vtkInformation* info)
 int vtkDiskSeeds::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (!galaxy::isFirstProcess())
+  {
+    return 1;
+  }
   return galaxy::reportErrors(this, [&] {
     galaxy::SeedData data;
     data.galaxy = galaxy::toGalaxy(vtkPartitionedDataSetCollection::GetData(inputVector[0], 0));

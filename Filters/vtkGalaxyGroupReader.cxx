@@ -5,6 +5,7 @@
 #include "Filters/PictureData.h"
 #include "Filters/ViewpointData.h"
 #include "Readers/AlgorithmProgress.h"
+#include "Readers/Processes.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -21,6 +22,10 @@ vtkGalaxyGroupReader::vtkGalaxyGroupReader()
 int vtkGalaxyGroupReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (!galaxy::isFirstProcess())
+  {
+    return 1;
+  }
   return galaxy::reportErrors(this, [&] {
     galaxy::requirePositive(this->Magnification, "Magnification");
     galaxy::requirePositive(this->Separation, "Separation");

@@ -1,90 +1,124 @@
 #include "vtkParticleWriter.h"
 
+#include "Filters/AllParticles.h"
 #include "Filters/Export/ExportParticles.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PointArrays.h"
 #include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
 
+#include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <sstream>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkParticleWriter);
 
 namespace
 {
-using galaxy::PointArrays;
-
-/// Bytes of colours given as 0 to 1, as VTK understands colours of floats.
-const unsigned char* bytesOfColors(vtkDataArray* colors, PointArrays::Converted& converted)
+/// What other programs want of every particle, and what those get that lack it.
+struct Wanted
 {
-  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  bytes->SetNumberOfComponents(3);
-  bytes->SetNumberOfTuples(colors->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  const char* array;
+  const char* madeUp;
+};
+constexpr Wanted wanted[] = {
+  { "Velocity", "velocities of 0 km/s" },
+  { "SmoothingLength", "smoothing lengths of 0 kpc" },
+  { "Intensity", "masses of 1" },
+  { "Color", "white as color" },
+  { "Component", "component 0" },
+};
+constexpr int numberWanted = sizeof(wanted) / sizeof(Wanted);
+
+/// How many of this process's particles lack each of them, and how many there are.
+std::array<double, numberWanted + 1> lackingOf(const std::vector<galaxy::PointSet>& sets)
+{
+  std::array<double, numberWanted + 1> lacking{};
+  for (const galaxy::PointSet& set : sets)
   {
-    for (int channel = 0; channel < 3; ++channel)
+    const auto points = static_cast<double>(set.data->GetNumberOfPoints());
+    for (int k = 0; k < numberWanted; ++k)
     {
-      const double value = std::clamp(colors->GetComponent(i, channel), 0.0, 1.0);
-      bytes->SetTypedComponent(i, channel, static_cast<unsigned char>(255 * value + 0.5));
+      lacking[k] += set.data->GetPointData()->GetArray(wanted[k].array) ? 0 : points;
+    }
+    lacking[numberWanted] += points;
+  }
+  return lacking;
+}
+
+/// What has to be made up.
+struct MadeUp
+{
+  std::string text;
+  bool isOfOthers = false; ///< more than velocities, which a model has where they are asked for
+};
+
+/// Says it to the first process; to be called by all of them.
+MadeUp madeUp(vtkDataObject* input)
+{
+  std::array<double, numberWanted + 1> own{}, all{};
+  try
+  {
+    own = lackingOf(galaxy::pointSetsOf(input));
+  }
+  catch (const std::runtime_error&)
+  {
+    // gatherParticles() says it, on all processes.
+  }
+  all = own;
+  if (galaxy::numberOfProcesses() > 1)
+  {
+    vtkMultiProcessController::GetGlobalController()->Reduce(
+      own.data(), all.data(), numberWanted + 1, vtkCommunicator::SUM_OP, 0);
+  }
+  MadeUp result;
+  std::ostringstream text;
+  for (int k = 0; k < numberWanted; ++k)
+  {
+    if (all[k] > 0)
+    {
+      result.isOfOthers |= k > 0;
+      text << (text.tellp() > 0 ? ", " : "") << wanted[k].madeUp << " (no point array "
+           << wanted[k].array;
+      if (all[k] < all[numberWanted])
+      {
+        text << " for " << static_cast<long long>(all[k]) << " particles";
+      }
+      text << ")";
     }
   }
-  converted.push_back(bytes);
-  return bytes->GetPointer(0);
+  result.text = text.str();
+  return result;
 }
 
-/// Throws where a value is no index that fits into a byte.
-std::size_t largestComponent(vtkDataArray* component)
+/// The table's components: the particles' own, or without a table as many as they tell of.
+std::vector<galaxy::ComponentInfo> componentsOf(vtkPolyData* particles)
 {
-  if (vtkUnsignedCharArray::SafeDownCast(component))
+  std::vector<galaxy::ComponentInfo> components = galaxy::toComponents(particles->GetFieldData());
+  auto numbers = galaxy::plainArray<vtkUnsignedCharArray>(particles, "Component");
+  if (numbers && !particles->GetFieldData()->HasArray("ComponentName"))
   {
-    return static_cast<std::size_t>(component->GetRange()[1]); // every byte is one
+    components.resize(static_cast<std::size_t>(numbers->GetRange()[1]) + 1);
   }
-  double largest = 0;
-  for (vtkIdType i = 0; i < component->GetNumberOfTuples(); ++i)
-  {
-    const double value = component->GetComponent(i, 0);
-    if (!(value >= 0 && value <= 255 && value == std::floor(value)))
-    {
-      std::ostringstream text;
-      text << "point array Component must have whole numbers 0 to 255, not " << value
-           << " at point " << i;
-      throw std::runtime_error(text.str());
-    }
-    largest = std::max(largest, value);
-  }
-  return static_cast<std::size_t>(largest);
+  return components;
 }
 
-/// The view's components: the polydata's table, or without one as many as the particles tell of.
-void viewComponents(vtkPolyData* particles, galaxy::ParticleTable& table)
-{
-  table.components = galaxy::toComponents(particles->GetFieldData());
-  vtkDataArray* component = particles->GetPointData()->GetArray("Component");
-  if (!component)
-  {
-    return;
-  }
-  const std::size_t largest = largestComponent(component);
-  if (!particles->GetFieldData()->HasArray("ComponentName"))
-  {
-    table.components.resize(largest + 1);
-  }
-}
-
-galaxy::ParticleTable viewTable(vtkPolyData* particles, PointArrays::Converted& converted)
+galaxy::ParticleTable viewTable(vtkPolyData* particles)
 {
   galaxy::ParticleTable table;
   table.size = static_cast<std::size_t>(particles->GetNumberOfPoints());
@@ -92,20 +126,10 @@ galaxy::ParticleTable viewTable(vtkPolyData* particles, PointArrays::Converted& 
   {
     return table;
   }
-  std::string problem;
-  PointArrays arrays(particles, converted, problem);
-  arrays.fill(table);
-  table.velocity = arrays.find<vtkFloatArray>("Velocity", 3, 3);
-  if (!problem.empty())
-  {
-    throw std::runtime_error(problem);
-  }
-  vtkDataArray* color = particles->GetPointData()->GetArray("Color");
-  if (color && (color->GetDataType() == VTK_FLOAT || color->GetDataType() == VTK_DOUBLE))
-  {
-    table.color = bytesOfColors(color, converted);
-  }
-  viewComponents(particles, table);
+  galaxy::fillView(particles, table);
+  auto velocity = galaxy::plainArray<vtkFloatArray>(particles, "Velocity");
+  table.velocity = velocity ? velocity->GetPointer(0) : nullptr;
+  table.components = componentsOf(particles);
   return table;
 }
 
@@ -132,62 +156,61 @@ vtkParticleWriter::~vtkParticleWriter()
   this->SetFileName(nullptr);
 }
 
+vtkTypeBool vtkParticleWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    galaxy::requestOwnPiece(inputVector[0]->GetInformationObject(0));
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
 int vtkParticleWriter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
 void vtkParticleWriter::WriteData()
 {
+  this->Report.clear();
   const bool written = galaxy::reportErrors(this, [this] {
-    vtkPolyData* particles = vtkPolyData::SafeDownCast(this->GetInput());
     if (!this->FileName || !*this->FileName)
     {
       throw std::runtime_error("FileName must be set");
     }
-    if (this->IsFirstProcess(particles))
+    const MadeUp made = madeUp(this->GetInput());
+    const galaxy::AllParticles all =
+      galaxy::gatherParticles(this->GetInput(), galaxy::ParticleUse::Points);
+    if (galaxy::isFirstProcess())
     {
-      this->Export(particles);
+      this->Export(all.particles, made.text);
+      if (made.isOfOthers)
+      {
+        vtkWarningMacro(<< this->FileName << ": made up " << made.text
+                        << "; give the particles what other programs are to read");
+      }
     }
   });
   this->SetErrorCode(written ? vtkErrorCode::NoError : vtkErrorCode::CannotOpenFileError);
 }
 
-bool vtkParticleWriter::IsFirstProcess(vtkPolyData* particles)
-{
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  if (!processes || processes->GetNumberOfProcesses() == 1)
-  {
-    return true;
-  }
-  // A writer asks for the whole input, so that every process may well have all of it: then their
-  // particles agree in number and bounds.
-  double own[7], least[7], most[7];
-  own[0] = static_cast<double>(particles->GetNumberOfPoints());
-  particles->GetBounds(own + 1);
-  processes->Reduce(own, least, 7, vtkCommunicator::MIN_OP, 0);
-  processes->Reduce(own, most, 7, vtkCommunicator::MAX_OP, 0);
-  const bool first = processes->GetLocalProcessId() == 0;
-  if (first && !std::equal(least, least + 7, most))
-  {
-    vtkWarningMacro(<< this->FileName << " gets the " << particles->GetNumberOfPoints()
-                    << " particles of the first process only; save from one process to get all");
-  }
-  return first;
-}
-
-void vtkParticleWriter::Export(vtkPolyData* particles)
+void vtkParticleWriter::Export(vtkPolyData* particles, const std::string& madeUp)
 {
   galaxy::ExportOptions options;
   options.format = formatOf(this->Format, this->FileName);
   options.progress = galaxy::progressOf(this);
-  PointArrays::Converted converted;
-  if (!galaxy::exportParticles(viewTable(particles, converted), this->FileName, options))
+  galaxy::ParticleTable table = viewTable(particles);
+  table.madeUp = madeUp;
+  if (!galaxy::exportParticles(table, this->FileName, options))
   {
     throw galaxy::Error(
       this->FileName, "", "not written, for the writer was stopped; save it again");
   }
+  this->Report = std::to_string(table.size) + " particles written" +
+    (madeUp.empty() ? "" : "; made up: " + madeUp);
 }
 
 void vtkParticleWriter::PrintSelf(ostream& os, vtkIndent indent)
@@ -195,4 +218,5 @@ void vtkParticleWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "") << "\n";
   os << indent << "Format: " << this->Format << "\n";
+  os << indent << "Report: " << this->Report << "\n";
 }

@@ -4,19 +4,23 @@
  *
  * Gadget-2 snapshots (binary, without or with names of the blocks, and HDF5) and tables of
  * comma-separated values, whole or not at all. Every point array that this plugin knows is written;
- * of a polydata without Velocity, SmoothingLength, Intensity, Color or Component those are 0, 0, 1,
- * white and 0. Arrays of other types are converted, a Color of floats as 0 to 1.
+ * without Velocity, SmoothingLength, Intensity, Color or Component those are 0, 0, 1, white and 0,
+ * which the report and the header of a snapshot in HDF5 say, and where it is more than velocities a
+ * warning. Input: any points, also
+ * composite data (Filters/ParticleSets.h).
  *
  * Component by component a particle's Gadget type is Boundary (5) where it absorbs; where it emits
  * Gas (0), Halo (1), Bulge (3) or Stars (4) by words of the component's name, else Disk (2).
  *
- * On several processes the first one writes what it holds, and warns where others hold others.
+ * Of several processes the first one writes what all of them hold.
  */
 #ifndef vtkParticleWriter_h
 #define vtkParticleWriter_h
 
 #include "vtkGalaxyReconstructionModule.h" // for export macro
 #include "vtkWriter.h"
+
+#include <string> // for the report
 
 class vtkPolyData;
 
@@ -47,10 +51,15 @@ public:
   vtkGetMacro(Format, int);
   ///@}
 
+  /// How many particles the last file has, and what of them was made up.
+  const char* GetReport() { return this->Report.c_str(); }
+
 protected:
   vtkParticleWriter() = default;
   ~vtkParticleWriter() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
 
@@ -58,11 +67,11 @@ private:
   vtkParticleWriter(const vtkParticleWriter&) = delete;
   void operator=(const vtkParticleWriter&) = delete;
 
-  bool IsFirstProcess(vtkPolyData* particles);
-  void Export(vtkPolyData* particles);
+  void Export(vtkPolyData* particles, const std::string& madeUp);
 
   char* FileName = nullptr;
   int Format = FROM_EXTENSION;
+  std::string Report;
 };
 
 #endif

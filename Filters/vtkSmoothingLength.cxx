@@ -1,12 +1,18 @@
 #include "vtkSmoothingLength.h"
 
 #include "Filters/AdoptBuffer.h"
+#include "Filters/AllParticles.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/PointArrays.h"
+#include "Filters/Splatting/Render.h"
+#include "Filters/Vertices.h"
 #include "Readers/AlgorithmProgress.h"
+#include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -14,7 +20,9 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSmoothingLength);
@@ -29,34 +37,27 @@ struct Points
   const float* position = nullptr;
   const float* intensity = nullptr;         ///< null where there is none
   const unsigned char* component = nullptr; ///< null where there is none
-  PointArrays::Converted converted;
 
   double share(std::size_t count) const { return double(count) / double(this->size); }
 };
 
-Points view(vtkPolyData* input, bool byLight)
+Points view(vtkPolyData* particles, bool byLight)
 {
   Points points;
-  std::string problem;
-  PointArrays arrays(input, points.converted, problem);
-  points.size = static_cast<std::size_t>(input->GetNumberOfPoints());
+  points.size = static_cast<std::size_t>(particles->GetNumberOfPoints());
   if (points.size == 0)
   {
     return points;
   }
-  points.position = arrays.as<vtkFloatArray>(input->GetPoints()->GetData());
-  points.component = arrays.find<vtkUnsignedCharArray>("Component", 1, 1);
-  if (byLight)
+  ParticleView all;
+  fillView(particles, all);
+  points.position = all.position;
+  points.component = all.component;
+  points.intensity = byLight ? all.intensity : nullptr;
+  if (byLight && !all.intensity)
   {
-    points.intensity = arrays.find<vtkFloatArray>("Intensity", 1, 1);
-    if (problem.empty() && !points.intensity)
-    {
-      problem = "Model Brightness needs the point array Intensity; choose another Model";
-    }
-  }
-  if (!problem.empty())
-  {
-    throw std::runtime_error(problem);
+    throw std::runtime_error(
+      "Model Brightness needs the point array Intensity; choose another Model");
   }
   return points;
 }
@@ -119,7 +120,84 @@ void setAll(
     setComponent(points, component, smoothing, h, partOf(progress, begin, points.share(done)));
   }
 }
+constexpr int lengthsTag = 0x6a1b;
+
+/// Work of the first process that the others wait for: it fails for all of them where it throws.
+template <typename Work>
+void onFirstProcess(const Work& work)
+{
+  std::exception_ptr failure;
+  try
+  {
+    isFirstProcess() ? work() : void();
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  int isDone = !failure;
+  if (numberOfProcesses() > 1)
+  {
+    vtkMultiProcessController::GetGlobalController()->Broadcast(&isDone, 1, 0);
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  if (!isDone)
+  {
+    throw Aborted("", "", "the first process says why");
+  }
+}
+
+/// The first process has the lengths of all particles; each gets those of its own.
+Buffer<float> ownShare(Buffer<float>&& all, const std::vector<vtkIdType>& first, vtkIdType own)
+{
+  if (numberOfProcesses() == 1)
+  {
+    return std::move(all);
+  }
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  std::vector<vtkIdType> counts(static_cast<std::size_t>(numberOfProcesses()));
+  processes->Gather(&own, counts.data(), 1, 0);
+  Buffer<float> share(static_cast<std::size_t>(own));
+  if (!isFirstProcess())
+  {
+    processes->Receive(share.data(), own, 0, lengthsTag);
+    return share;
+  }
+  for (std::size_t to = 1; to < counts.size(); ++to)
+  {
+    processes->Send(all.data() + first[to], counts[to], static_cast<int>(to), lengthsTag);
+  }
+  std::copy_n(all.data(), own, share.data());
+  return share;
+}
+
+/// The output is the input with these lengths, one after the other in its sets of points.
+void addLengths(Buffer<float>&& h, vtkDataObject* output)
+{
+  std::size_t at = 0;
+  for (const PointSet& set : pointSetsOf(output))
+  {
+    Buffer<float> own(static_cast<std::size_t>(set.data->GetNumberOfPoints()));
+    std::copy_n(h.data() + at, own.size(), own.data());
+    at += own.size();
+    set.data->GetPointData()->AddArray(adopt<vtkFloatArray>(own, "SmoothingLength", 1));
+    auto points = vtkPolyData::SafeDownCast(set.data);
+    if (points && points->GetNumberOfCells() == 0)
+    {
+      addVertices(points);
+    }
+  }
+}
 } // namespace
+
+int vtkSmoothingLength::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
 
 int vtkSmoothingLength::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -136,13 +214,18 @@ int vtkSmoothingLength::RequestData(
     smoothing.maximum = this->Maximum;
   }
   return reportErrors(this, [&] {
-    vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0);
-    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-    const Points points = view(input, this->Model == BRIGHTNESS);
-    Buffer<float> h(points.size);
-    setAll(points, smoothing, h.data(), progressOf(this));
+    vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+    vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+    const AllParticles all = gatherParticles(input, ParticleUse::Points);
+    Buffer<float> h;
+    onFirstProcess([&] {
+      const Points points = view(all.particles, this->Model == BRIGHTNESS);
+      h.resize(points.size);
+      setAll(points, smoothing, h.data(), progressOf(this));
+    });
     output->ShallowCopy(input);
-    output->GetPointData()->AddArray(adopt<vtkFloatArray>(h, "SmoothingLength", 1));
+    addLengths(
+      ownShare(std::move(h), all.first, input->GetNumberOfElements(vtkDataObject::POINT)), output);
   });
 }
 

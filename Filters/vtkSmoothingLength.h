@@ -2,21 +2,23 @@
  * @class   vtkSmoothingLength
  * @brief   the radius of each particle's footprint, from where the particles are
  *
- * Input: vtkPolyData with any points. Output: the same with a point array `SmoothingLength`
- * (float32, in the points' unit, kpc for galaxies), in place of one that it may have. Where there
- * is a point array `Component` the particles of each component are looked at on their own.
+ * Input: any points, also composite data, whose sets are looked at together, and those of several
+ * processes. Output: the same with a point array `SmoothingLength` (float32, in the points' unit,
+ * kpc for galaxies), in place of one that it may have; a vtkPolyData without cells gets a vertex a
+ * point. Where there is a point array `Component` the particles of each component are looked at on
+ * their own.
  */
 #ifndef vtkSmoothingLength_h
 #define vtkSmoothingLength_h
 
 #include "vtkGalaxyReconstructionModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkPassInputTypeAlgorithm.h"
 
-class VTKGALAXYRECONSTRUCTION_EXPORT vtkSmoothingLength : public vtkPolyDataAlgorithm
+class VTKGALAXYRECONSTRUCTION_EXPORT vtkSmoothingLength : public vtkPassInputTypeAlgorithm
 {
 public:
   static vtkSmoothingLength* New();
-  vtkTypeMacro(vtkSmoothingLength, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSmoothingLength, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Models
@@ -68,6 +70,7 @@ protected:
   vtkSmoothingLength() = default;
   ~vtkSmoothingLength() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -7,6 +7,7 @@
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/GalaxyKeys.h"
 #include "Readers/Formats/SpheroidTables.h"
+#include "Readers/Processes.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -123,6 +124,10 @@ vtkSpheroidSource::~vtkSpheroidSource()
 int vtkSpheroidSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (!galaxy::isFirstProcess())
+  {
+    return 1;
+  }
   return galaxy::reportErrors(this, [&] {
     galaxy::ComponentDescription component;
     component.name = componentName;

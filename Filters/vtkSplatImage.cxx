@@ -1,11 +1,13 @@
 #include "vtkSplatImage.h"
 
+#include "Filters/AllParticles.h"
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
 #include "Filters/Splatting/Panorama.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Tiles.h"
 #include "Readers/AlgorithmProgress.h"
+#include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkFloatArray.h"
@@ -19,7 +21,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkSplatImage);
 
@@ -60,7 +61,7 @@ vtkMTimeType vtkSplatImage::GetMTime()
 
 int vtkSplatImage::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -73,7 +74,9 @@ int vtkSplatImage::RequestInformation(
                   << this->ImageSize[1]);
     return 0;
   }
-  const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
+  // Of several processes the first one has the picture.
+  int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
+  extent[1] = galaxy::isFirstProcess() ? extent[1] : -1;
   outputVector->GetInformationObject(0)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
@@ -90,17 +93,19 @@ int vtkSplatImage::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return galaxy::reportErrors(this, [&] {
-    this->Draw(vtkPolyData::GetData(inputVector[0], 0), vtkImageData::GetData(outputVector, 0));
+    const galaxy::AllParticles all = galaxy::gatherParticles(
+      vtkDataObject::GetData(inputVector[0], 0), galaxy::ParticleUse::Drawn);
+    if (galaxy::isFirstProcess())
+    {
+      this->Draw(all.particles, vtkImageData::GetData(outputVector, 0));
+    }
   });
 }
 
 void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
 {
   galaxy::ParticleInput input;
-  if (!galaxy::viewParticles(particles, *this->Settings, input))
-  {
-    throw std::runtime_error(input.problem);
-  }
+  galaxy::viewParticles(particles, *this->Settings, input);
   const std::string unknown = this->Settings->UnknownNames(input.components);
   if (!unknown.empty())
   {

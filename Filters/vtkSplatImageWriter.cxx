@@ -4,13 +4,15 @@
 #include "Filters/PictureData.h"
 #include "Readers/AlgorithmProgress.h"
 #include "Readers/Formats/Error.h"
+#include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkMultiProcessController.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <stdexcept>
 
@@ -21,6 +23,17 @@ vtkSplatImageWriter::~vtkSplatImageWriter()
   this->SetFileName(nullptr);
 }
 
+vtkTypeBool vtkSplatImageWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    galaxy::requestOwnPiece(inputVector[0]->GetInformationObject(0));
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
 int vtkSplatImageWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
@@ -29,9 +42,8 @@ int vtkSplatImageWriter::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkSplatImageWriter::WriteData()
 {
-  // Every process has the whole picture.
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  if (processes && processes->GetLocalProcessId() != 0)
+  // It has the whole picture.
+  if (!galaxy::isFirstProcess())
   {
     return;
   }

@@ -41,6 +41,8 @@ protected:
   vtkSplatImageWriter() = default;
   ~vtkSplatImageWriter() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
 

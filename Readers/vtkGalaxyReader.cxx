@@ -2,6 +2,7 @@
 
 #include "Readers/AlgorithmProgress.h"
 #include "Readers/DataObjects.h"
+#include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
@@ -17,6 +18,10 @@ vtkGalaxyReader::vtkGalaxyReader()
 int vtkGalaxyReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (!galaxy::isFirstProcess())
+  {
+    return 1;
+  }
   return galaxy::reportErrors(this, [&] {
     galaxy::toCollection(galaxy::readGalaxy(this->FileName, galaxy::progressOf(this)),
       vtkPartitionedDataSetCollection::GetData(outputVector, 0));

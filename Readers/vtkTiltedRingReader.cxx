@@ -2,6 +2,7 @@
 
 #include "Readers/DataObjects.h"
 #include "Readers/Formats/RingPlane.h"
+#include "Readers/Processes.h"
 #include "Readers/PropertyChecks.h"
 #include "Readers/ReportErrors.h"
 
@@ -24,6 +25,10 @@ vtkTiltedRingReader::vtkTiltedRingReader()
 int vtkTiltedRingReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  if (!galaxy::isFirstProcess())
+  {
+    return 1;
+  }
   return galaxy::reportErrors(this, [&] {
     // 0 says that there is none.
     galaxy::requireProperty(

@@ -1,8 +1,13 @@
 #include "RendererCamera.h"
 
 #include "OpenGLFunctions.h"
+#include "Readers/Processes.h"
 
 #include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkFloatArray.h"
+#include "vtkIceTCompositePass.h"
+#include "vtkImageProcessingPass.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -11,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace galaxy
 {
@@ -51,6 +57,92 @@ std::vector<float> readDepthBuffer(vtkRenderer* renderer)
     {
       const std::size_t column = static_cast<std::size_t>((x + 0.5) * viewport[2] / size[0]);
       depth[static_cast<std::size_t>(y) * size[0] + x] = other[row * viewport[2] + column];
+    }
+  }
+  return depth;
+}
+
+/// What puts together the pictures of several processes; null where nothing does.
+vtkIceTCompositePass* compositePass(vtkRenderer* renderer)
+{
+  vtkRenderPass* pass = renderer->GetPass();
+  while (pass && !vtkIceTCompositePass::SafeDownCast(pass))
+  {
+    auto camera = vtkCameraPass::SafeDownCast(pass);
+    auto image = vtkImageProcessingPass::SafeDownCast(pass);
+    pass = camera ? camera->GetDelegatePass() : image ? image->GetDelegatePass() : nullptr;
+  }
+  return vtkIceTCompositePass::SafeDownCast(pass);
+}
+
+/// What it has found to be nearest, on the process that gets the picture; of fewer pixels while a
+/// view moves.
+std::vector<float> depthOf(vtkIceTCompositePass* compositing, const Camera& camera)
+{
+  std::vector<float> depth(static_cast<std::size_t>(camera.width) * camera.height, 1.0F);
+  vtkSynchronizedRenderers::vtkRawImage picture;
+  compositing->GetLastRenderedTile(picture);
+  vtkFloatArray* nearest = compositing->GetLastRenderedDepths();
+  const int width = picture.GetWidth(), height = picture.GetHeight();
+  if (!nearest || nearest->GetNumberOfValues() != vtkIdType(width) * height)
+  {
+    return depth;
+  }
+  for (int y = 0; y < camera.height; ++y)
+  {
+    const int row = static_cast<int>((y + 0.5) * height / camera.height);
+    for (int x = 0; x < camera.width; ++x)
+    {
+      const int column = static_cast<int>((x + 0.5) * width / camera.width);
+      depth[static_cast<std::size_t>(y) * camera.width + x] =
+        nearest->GetValue(static_cast<vtkIdType>(row) * width + column);
+    }
+  }
+  return depth;
+}
+
+/// Of the depths of all processes, on the first one.
+void takeNearest(std::vector<float>& depth)
+{
+  if (numberOfProcesses() > 1)
+  {
+    std::vector<float> nearest(depth.size());
+    vtkMultiProcessController::GetGlobalController()->Reduce(depth.data(), nearest.data(),
+      static_cast<vtkIdType>(depth.size()), vtkCommunicator::MIN_OP, 0);
+    depth = std::move(nearest);
+  }
+}
+
+/// As opaqueDepth() says, of a depth buffer's values.
+std::vector<float> distances(
+  std::vector<float>&& depth, vtkRenderer* renderer, const Camera& camera)
+{
+  if (std::all_of(depth.begin(), depth.end(), [](float d) { return d >= 1; }))
+  {
+    return {};
+  }
+  const vtkMatrix4x4* P = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1, 1);
+  const double p22 = P->GetElement(2, 2), p23 = P->GetElement(2, 3);
+  for (int y = 0; y < camera.height; ++y)
+  {
+    for (int x = 0; x < camera.width; ++x)
+    {
+      float& d = depth[static_cast<std::size_t>(y) * camera.width + x];
+      if (d >= 1)
+      {
+        d = std::numeric_limits<float>::infinity();
+        continue;
+      }
+      const double ndc = 2.0 * d - 1;
+      if (camera.parallel)
+      {
+        d = static_cast<float>((p23 - ndc) / p22);
+        continue;
+      }
+      const double tx = (x + 0.5 - camera.centerX) / camera.scale;
+      const double ty = (y + 0.5 - camera.centerY) / camera.scale;
+      d = static_cast<float>(p23 / (ndc + p22) * std::sqrt(1 + tx * tx + ty * ty));
     }
   }
   return depth;
@@ -98,35 +190,22 @@ Camera cameraOf(vtkRenderer* renderer)
 
 std::vector<float> opaqueDepth(vtkRenderer* renderer, const Camera& camera)
 {
-  std::vector<float> depth = readDepthBuffer(renderer);
-  if (std::all_of(depth.begin(), depth.end(), [](float d) { return d >= 1; }))
+  return distances(readDepthBuffer(renderer), renderer, camera);
+}
+
+std::vector<float> compositedDepth(vtkRenderer* renderer, const Camera& camera)
+{
+  std::vector<float> depth;
+  vtkIceTCompositePass* compositing = compositePass(renderer);
+  if (compositing && !compositing->GetOrderedCompositingHelper())
   {
-    return {};
+    depth = depthOf(compositing, camera);
   }
-  const vtkMatrix4x4* P = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1, 1);
-  const double p22 = P->GetElement(2, 2), p23 = P->GetElement(2, 3);
-  for (int y = 0; y < camera.height; ++y)
+  else
   {
-    for (int x = 0; x < camera.width; ++x)
-    {
-      float& d = depth[static_cast<std::size_t>(y) * camera.width + x];
-      if (d >= 1)
-      {
-        d = std::numeric_limits<float>::infinity();
-        continue;
-      }
-      const double ndc = 2.0 * d - 1;
-      if (camera.parallel)
-      {
-        d = static_cast<float>((p23 - ndc) / p22);
-        continue;
-      }
-      const double tx = (x + 0.5 - camera.centerX) / camera.scale;
-      const double ty = (y + 0.5 - camera.centerY) / camera.scale;
-      d = static_cast<float>(p23 / (ndc + p22) * std::sqrt(1 + tx * tx + ty * ty));
-    }
+    depth = readDepthBuffer(renderer);
+    takeNearest(depth);
   }
-  return depth;
+  return distances(std::move(depth), renderer, camera);
 }
 } // namespace galaxy

@@ -16,6 +16,10 @@ Camera cameraOf(vtkRenderer* renderer);
 /// Of what has been drawn so far, for every pixel: kpc from the eye (perspective) or along the axis
 /// (parallel), infinity where there is nothing; empty where there is nothing at all.
 std::vector<float> opaqueDepth(vtkRenderer* renderer, const Camera& camera);
+
+/// The same of what all processes have drawn, to be asked for by all of them when the renderer has
+/// ended; on the first one.
+std::vector<float> compositedDepth(vtkRenderer* renderer, const Camera& camera);
 } // namespace galaxy
 
 #endif

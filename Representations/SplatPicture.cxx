@@ -8,7 +8,6 @@
 #include "vtkTimerLog.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -232,10 +231,7 @@ ParticleView SplatPicture::view(
   std::vector<ParticleView> views;
   for (std::size_t k = 0; k < parts.size(); ++k)
   {
-    if (!viewParticles(parts[k].particles, *parts[k].settings, inputs[k]))
-    {
-      throw std::runtime_error(inputs[k].problem);
-    }
+    viewParticles(parts[k].particles, *parts[k].settings, inputs[k]);
     for (ComponentInfo& component : inputs[k].components)
     {
       component.light *= relativeExposure(parts, k);

@@ -2,24 +2,21 @@
 
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
-#include "OpenGLFunctions.h"
+#include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
+#include "RemotePicture.h"
 #include "RendererCamera.h"
+#include "SplatCanvas.h"
 #include "SplatPicture.h"
 #include "vtkSplatSettings.h"
 
 #include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -28,66 +25,9 @@
 
 vtkStandardNewMacro(vtkSplatProp);
 
-namespace
-{
-const char* FragmentShader = R"(//VTK::System::Dec
-//VTK::Output::Dec
-in vec2 texCoord;
-uniform sampler2D picture;
-uniform bool isTransmittance;
-void main()
-{
-  vec3 color = texture2D(picture, texCoord).rgb;
-  gl_FragData[0] = vec4(color, isTransmittance ? 1.0 - (color.r + color.g + color.b) / 3.0 : 1.0);
-  gl_FragDepth = 0.999999;
-}
-)";
-
-/// Makes the window's context the current one again, with the framebuffer that is drawn into: a
-/// widget's window binds its own where it is made current.
-void returnTo(vtkOpenGLRenderWindow* window)
-{
-  if (!window->IsCurrent())
-  {
-    vtkOpenGLState* state = window->GetState();
-    state->PushFramebufferBindings();
-    window->MakeCurrent();
-    state->ResetFramebufferBindings();
-    state->PopFramebufferBindings();
-  }
-}
-}
-
-struct vtkSplatProp::Canvas
-{
-  vtkSmartPointer<vtkTextureObject> texture = vtkSmartPointer<vtkTextureObject>::New();
-  std::unique_ptr<vtkOpenGLQuadHelper> quad;
-
-  void draw(
-    vtkOpenGLRenderWindow* window, const float* rgb, int width, int height, bool isTransmittance)
-  {
-    if (!this->quad)
-    {
-      this->quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, FragmentShader, nullptr);
-    }
-    else
-    {
-      window->GetShaderCache()->ReadyShaderProgram(this->quad->Program);
-    }
-    this->texture->SetContext(window);
-    this->texture->Create2DFromRaw(width, height, 3, VTK_FLOAT, const_cast<float*>(rgb));
-    this->texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->texture->Activate();
-    this->quad->Program->SetUniformi("picture", this->texture->GetTextureUnit());
-    this->quad->Program->SetUniformi("isTransmittance", isTransmittance);
-    this->quad->Render();
-    this->texture->Deactivate();
-  }
-};
-
 vtkSplatProp::vtkSplatProp()
   : Settings(vtkSmartPointer<vtkSplatSettings>::New())
+  , Canvas(std::make_unique<galaxy::SplatCanvas>())
 {
   vtkMath::UninitializeBounds(this->Bounds);
 }
@@ -127,7 +67,7 @@ vtkMTimeType vtkSplatProp::InputTime()
   return std::max({ particles, this->ParticlesTime.GetMTime(), this->Settings->GetMTime() });
 }
 
-std::vector<vtkSplatProp*> vtkSplatProp::DrawnTogether(vtkRenderer* renderer)
+std::vector<vtkSplatProp*> vtkSplatProp::Visible(vtkRenderer* renderer)
 {
   std::vector<vtkSplatProp*> props;
   vtkPropCollection* all = renderer->GetViewProps();
@@ -136,8 +76,21 @@ std::vector<vtkSplatProp*> vtkSplatProp::DrawnTogether(vtkRenderer* renderer)
   while (vtkProp* prop = all->GetNextProp(at))
   {
     auto splats = vtkSplatProp::SafeDownCast(prop);
+    if (splats && splats->GetVisibility())
+    {
+      props.push_back(splats);
+    }
+  }
+  return props;
+}
+
+std::vector<vtkSplatProp*> vtkSplatProp::DrawnTogether(vtkRenderer* renderer)
+{
+  std::vector<vtkSplatProp*> props;
+  for (vtkSplatProp* splats : vtkSplatProp::Visible(renderer))
+  {
     // What the renderer has culled is not asked to draw, and has no time to.
-    const bool isAsked = splats && splats->GetVisibility() && splats->GetRenderTimeMultiplier() > 0;
+    const bool isAsked = splats->GetRenderTimeMultiplier() > 0;
     if (isAsked && splats->Particles && splats->Particles->GetNumberOfPoints() > 0)
     {
       props.push_back(splats);
@@ -149,9 +102,8 @@ std::vector<vtkSplatProp*> vtkSplatProp::DrawnTogether(vtkRenderer* renderer)
 int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
 {
   vtkRenderer* renderer = vtkRenderer::SafeDownCast(viewport);
-  auto window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow()) : nullptr;
   // A selector tells by their colours what it has drawn.
-  if (!window || renderer->GetSelector())
+  if (!renderer || renderer->GetSelector() || this->IsLaidLast)
   {
     return 0;
   }
@@ -162,19 +114,64 @@ int vtkSplatProp::RenderOverlay(vtkViewport* viewport)
     return 0;
   }
   return galaxy::reportErrors(this, [&] {
-    this->UpdatePicture(renderer, props);
-    this->HintAtPlaces(props);
-    returnTo(window);
-    this->DrawPicture(window);
+    const galaxy::Camera camera = galaxy::cameraOf(renderer);
+    this->UpdatePicture(renderer, camera, galaxy::opaqueDepth(renderer, camera), props);
+    this->Canvas->lay(this->ShownPicture(), renderer);
   });
 }
 
-void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSplatProp*>& props)
+void vtkSplatProp::LayLast(vtkObject* caller, unsigned long, void*)
+{
+  auto renderer = vtkRenderer::SafeDownCast(caller);
+  const std::vector<vtkSplatProp*> all = vtkSplatProp::Visible(renderer);
+  if (!this->IsLaidLast || all.empty() || all.front() != this)
+  {
+    return;
+  }
+  galaxy::ShownPicture picture;
+  if (vtkMultiProcessController* server = galaxy::wayToServer())
+  {
+    picture = galaxy::receivePicture(server);
+    for (vtkSplatProp* prop : all)
+    {
+      prop->ActiveEffects = picture.activeEffects;
+      prop->RenderStatistics = picture.renderStatistics;
+    }
+  }
+  else
+  {
+    galaxy::reportErrors(this, [&] { picture = this->PictureOfAllProcesses(renderer); });
+  }
+  if (vtkMultiProcessController* client = galaxy::wayToClient())
+  {
+    galaxy::sendPicture(picture, client);
+  }
+  else if (!renderer->GetSelector())
+  {
+    this->Canvas->layOnWhole(picture, renderer);
+  }
+}
+
+galaxy::ShownPicture vtkSplatProp::PictureOfAllProcesses(vtkRenderer* renderer)
+{
+  const galaxy::Camera camera = galaxy::cameraOf(renderer);
+  std::vector<float> depth = galaxy::compositedDepth(renderer, camera);
+  const std::vector<vtkSplatProp*> props = this->DrawnTogether(renderer);
+  if (props.empty() || renderer->GetSelector() || !galaxy::isFirstProcess())
+  {
+    return {};
+  }
+  this->UpdatePicture(renderer, camera, std::move(depth), props);
+  return this->ShownPicture();
+}
+
+void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const galaxy::Camera& camera,
+  std::vector<float>&& opaqueDepth, const std::vector<vtkSplatProp*>& props)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
   galaxy::SplatRequest request;
-  request.camera = galaxy::cameraOf(renderer);
-  request.opaqueDepth = galaxy::opaqueDepth(renderer, request.camera);
+  request.camera = camera;
+  request.opaqueDepth = std::move(opaqueDepth);
   request.toneMap = this->GetToneMap();
   std::vector<galaxy::SplatPart> parts;
   for (vtkSplatProp* prop : props)
@@ -203,6 +200,7 @@ void vtkSplatProp::UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSpl
     prop->RenderStatistics =
       (this->Picture->isAborted() ? "aborted; " : "") + galaxy::describe(statistics);
   }
+  this->HintAtPlaces(props);
 }
 
 void vtkSplatProp::HintAtPlaces(const std::vector<vtkSplatProp*>& props)
@@ -254,48 +252,24 @@ galaxy::ToneMap vtkSplatProp::GetToneMap() const
   return map;
 }
 
-void vtkSplatProp::DrawPicture(vtkOpenGLRenderWindow* window)
+galaxy::ShownPicture vtkSplatProp::ShownPicture() const
 {
   const galaxy::RenderedImage& image = this->Picture->image();
-  std::vector<float> display(image.radiance.size());
+  galaxy::ShownPicture picture;
+  picture.width = image.width;
+  picture.height = image.height;
+  picture.light.resize(image.radiance.size());
   galaxy::applyToneMap(
-    this->GetToneMap(), image.radiance.data(), display.data(), display.size() / 3);
-
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDepthMask(GL_FALSE);
-  if (!this->GLCanvas)
-  {
-    this->GLCanvas = std::make_unique<Canvas>();
-  }
-  // Processes' pictures get their background afterwards, by their alpha.
-  const bool isLayer = this->Composited;
-  state->vtkglBlendFuncSeparate(
-    GL_ZERO, GL_SRC_COLOR, isLayer ? GL_ONE : GL_ZERO, isLayer ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
-  this->GLCanvas->draw(window, image.transmittance.data(), image.width, image.height, true);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, isLayer ? GL_ZERO : GL_ONE, GL_ONE);
-  this->GLCanvas->draw(window, display.data(), image.width, image.height, false);
-  if (isLayer)
-  {
-    // Only where nothing is: what is nearer keeps its depth.
-    vtkOpenGLState::ScopedglColorMask colorMask(state);
-    vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
-    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthMask(GL_TRUE);
-    state->vtkglDepthFunc(GL_LESS);
-    this->GLCanvas->draw(window, display.data(), image.width, image.height, false);
-  }
+    this->GetToneMap(), image.radiance.data(), picture.light.data(), picture.light.size() / 3);
+  picture.transmittance = image.transmittance;
+  picture.activeEffects = this->ActiveEffects;
+  picture.renderStatistics = this->RenderStatistics;
+  return picture;
 }
 
 void vtkSplatProp::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->GLCanvas.reset();
+  this->Canvas = std::make_unique<galaxy::SplatCanvas>();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -10,7 +10,8 @@
  * and can be aborted by its observers; what only betters a picture that is there stops where the
  * window's vtkCommand::AbortCheckEvent says so. Drawn in the overlay stage, so that it neither
  * enters nor disturbs depth peeling; opaque geometry hides the particles behind it through the
- * depth buffer, and what is translucent is seen behind all particles.
+ * depth buffer, and what is translucent is seen behind all particles. What several processes draw
+ * is put together first.
  */
 #ifndef vtkSplatProp_h
 #define vtkSplatProp_h
@@ -23,14 +24,16 @@
 #include <string> // for the statistics
 #include <vector> // for the props drawn together
 
-class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkRenderer;
 class vtkSplatSettings;
 
 namespace galaxy
 {
+class SplatCanvas;
 class SplatPicture;
+struct Camera;
+struct ShownPicture;
 struct ToneMap;
 }
 
@@ -79,11 +82,17 @@ public:
   ///@}
 
   ///@{
-  /// Whether the pictures of several processes, each of all particles, are put together by their
-  /// depths: what is drawn then counts as something in front of the background.
-  vtkSetMacro(Composited, bool);
-  vtkGetMacro(Composited, bool);
+  /// Whether the view is drawn by other processes than this one, or by several: the picture is then
+  /// laid over it by LayLast(), when what they have drawn has been put together and smoothed. That
+  /// of the first process, who has all particles, is taken; a client gets it from there.
+  vtkSetMacro(IsLaidLast, bool);
+  vtkGetMacro(IsLaidLast, bool);
   ///@}
+  /// To be called on all of them after each rendering of a renderer that has this prop.
+  void LayLast(vtkObject* renderer, unsigned long, void*);
+  /// To be called when the window has been rendered: whoever renders it next without ParaView's
+  /// view does so without the other processes.
+  void EndWindow() { this->IsLaidLast = false; }
 
   ///@{
   /// Whether Refine() will be called when the view rests: the first picture is then the last
@@ -117,15 +126,20 @@ private:
   vtkSplatProp(const vtkSplatProp&) = delete;
   void operator=(const vtkSplatProp&) = delete;
 
+  /// The same ones on all processes.
+  static std::vector<vtkSplatProp*> Visible(vtkRenderer* renderer);
   /// The props that the renderer draws particles of, the first of which draws all of them.
   std::vector<vtkSplatProp*> DrawnTogether(vtkRenderer* renderer);
-  void UpdatePicture(vtkRenderer* renderer, const std::vector<vtkSplatProp*>& props);
+  void UpdatePicture(vtkRenderer* renderer, const galaxy::Camera& camera,
+    std::vector<float>&& opaqueDepth, const std::vector<vtkSplatProp*>& props);
+  /// On the first process; elsewhere none.
+  galaxy::ShownPicture PictureOfAllProcesses(vtkRenderer* renderer);
+  galaxy::ShownPicture ShownPicture() const;
   /// Warns, once, where galaxies are drawn together that the sky has in different places.
   void HintAtPlaces(const std::vector<vtkSplatProp*>& props);
   /// Says how much of the picture is done; false if it is not wanted any more.
   bool ReportProgress(double fraction);
   galaxy::ToneMap GetToneMap() const;
-  void DrawPicture(vtkOpenGLRenderWindow* window);
   /// When the particles or the settings changed last.
   vtkMTimeType InputTime();
 
@@ -139,7 +153,7 @@ private:
   double WhitePoint[3] = { 1, 1, 1 };
   bool Interactive = false;
   bool Refining = false;
-  bool Composited = false;
+  bool IsLaidLast = false;
   bool Aborted = false;
   double Bounds[6];
   vtkMTimeType BoundsTime = 0;
@@ -147,9 +161,8 @@ private:
   std::string RenderStatistics;
   std::string PlacesHint; ///< what was warned of last
 
-  struct Canvas; // what OpenGL holds of the picture
   std::unique_ptr<galaxy::SplatPicture> Picture;
-  std::unique_ptr<Canvas> GLCanvas;
+  std::unique_ptr<galaxy::SplatCanvas> Canvas;
 };
 
 #endif

@@ -1,20 +1,23 @@
 #include "vtkSplatRepresentation.h"
 
+#include "Filters/AllParticles.h"
 #include "Filters/ParticleData.h"
+#include "PlacedParticles.h"
+#include "Readers/ReportErrors.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkAssembly.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
-#include "vtkPVServerInformation.h"
-#include "vtkPVSession.h"
 #include "vtkPolyData.h"
-#include "vtkProcessModule.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStringArray.h"
 
@@ -33,33 +36,6 @@ std::string linesOf(vtkStringArray* names)
   }
   return lines;
 }
-
-/// How many processes have the data, also where a client asks.
-int processes()
-{
-  auto session =
-    vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession());
-  vtkPVServerInformation* server = session ? session->GetServerInformation() : nullptr;
-  return server ? server->GetNumberOfProcesses() : 1;
-}
-
-/// Whether a process has the particles that the first one has, as where each has read the same
-/// file, and not a part of all. To be asked by all of them.
-bool isCopy(vtkPolyData* particles)
-{
-  vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
-  if (!all || all->GetNumberOfProcesses() == 1)
-  {
-    return false;
-  }
-  constexpr int size = 7;
-  double mine[size], first[size];
-  mine[0] = static_cast<double>(particles->GetNumberOfPoints());
-  particles->GetBounds(mine + 1);
-  std::copy_n(mine, size, first);
-  all->Broadcast(first, size, 0);
-  return all->GetLocalProcessId() > 0 && std::equal(mine, mine + size, first);
-}
 }
 
 vtkSplatRepresentation::vtkSplatRepresentation()
@@ -67,7 +43,7 @@ vtkSplatRepresentation::vtkSplatRepresentation()
   , Annotation(vtkSmartPointer<vtkSkyAnnotation>::New())
   , Settings(this->Prop->GetSettings())
   , Particles(vtkSmartPointer<vtkPolyData>::New())
-  , Piece(Particles)
+  , Place(vtkSmartPointer<vtkAssembly>::New())
 {
   this->Prop->AddObserver(vtkCommand::ProgressEvent, this, &vtkSplatRepresentation::OnProgress);
 }
@@ -76,7 +52,7 @@ vtkSplatRepresentation::~vtkSplatRepresentation() = default;
 
 int vtkSplatRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -87,12 +63,12 @@ int vtkSplatRepresentation::RequestData(
   this->Particles = vtkSmartPointer<vtkPolyData>::New();
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
-    if (vtkPolyData* input = vtkPolyData::GetData(inputVector[0], 0))
-    {
-      this->Particles->ShallowCopy(input);
-    }
+    galaxy::reportErrors(this, [&] {
+      const galaxy::AllParticles all = galaxy::gatherParticles(
+        vtkDataObject::GetData(inputVector[0], 0), galaxy::ParticleUse::Drawn);
+      this->Particles->ShallowCopy(all.particles);
+    });
   }
-  this->Piece = isCopy(this->Particles) ? vtkSmartPointer<vtkPolyData>::New() : this->Particles;
   this->ComponentNames = linesOf(vtkStringArray::SafeDownCast(
     this->Particles->GetFieldData()->GetAbstractArray("ComponentName")));
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -116,14 +92,11 @@ int vtkSplatRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    vtkPVView::SetPiece(inInfo, this, this->Piece);
-    if (processes() > 1)
-    {
-      vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, true);
-    }
+    vtkPVView::SetPiece(inInfo, this, this->Particles);
     vtkPVRenderView::SetStreamable(inInfo, this, true);
     double bounds[6];
     galaxy::boundsOfKernels(this->Particles, *this->Settings, bounds);
+    galaxy::placeBounds(this->Place->GetMatrix(), bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
@@ -131,11 +104,13 @@ int vtkSplatRepresentation::ProcessViewRequest(
     this->SetAbortExecute(0);
     // ParaView asks for less detail while the view of large data moves.
     this->Prop->SetInteractive(inInfo->Has(vtkPVRenderView::USE_LOD()) == 1);
-    auto particles = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
+    auto view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
+    this->Prop->SetIsLaidLast(inInfo->Has(vtkPVRenderView::USE_LOD())
+        ? view->GetUseDistributedRenderingForLODRender()
+        : view->GetUseDistributedRenderingForRender());
+    vtkPolyData* particles =
+      this->PlacedParticles(vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this)));
     this->Prop->SetParticles(particles);
-    this->Prop->SetComposited(processes() > 1 &&
-      vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()))
-        ->GetUseDistributedRenderingForRender());
     this->Annotation->SetGroup(particles ? particles->GetFieldData() : nullptr);
     vtkDataArray* distance =
       particles ? particles->GetFieldData()->GetArray("SkyDistance") : nullptr;
@@ -155,6 +130,28 @@ int vtkSplatRepresentation::ProcessViewRequest(
   return 1;
 }
 
+vtkPolyData* vtkSplatRepresentation::PlacedParticles(vtkPolyData* delivered)
+{
+  const vtkMTimeType time =
+    std::max(delivered ? delivered->GetMTime() : 0, this->Place->GetMatrix()->GetMTime());
+  if (delivered != this->Delivered || time > this->PlacedTime.GetMTime())
+  {
+    this->Placed = nullptr;
+    galaxy::reportErrors(
+      this, [&] { this->Placed = galaxy::placed(delivered, this->Place->GetMatrix()); });
+    this->Delivered = delivered;
+    this->PlacedTime.Modified();
+  }
+  return this->Placed;
+}
+
+void vtkSplatRepresentation::SetUserTransform(const double matrix[16])
+{
+  vtkNew<vtkMatrix4x4> user;
+  user->DeepCopy(matrix);
+  this->Place->SetUserMatrix(user);
+}
+
 bool vtkSplatRepresentation::AddToView(vtkView* view)
 {
   vtkPVRenderView* renderView = vtkPVRenderView::SafeDownCast(view);
@@ -162,7 +159,13 @@ bool vtkSplatRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  renderView->GetRenderer()->AddViewProp(this->Prop);
+  vtkRenderer* renderer = renderView->GetRenderer();
+  renderer->AddViewProp(this->Prop);
+  // After what puts together, smooths and sends what several processes have drawn.
+  this->Laying =
+    renderer->AddObserver(vtkCommand::EndEvent, this->Prop.Get(), &vtkSplatProp::LayLast, -1.0F);
+  this->Ending = renderer->GetRenderWindow()->AddObserver(
+    vtkCommand::EndEvent, this->Prop.Get(), &vtkSplatProp::EndWindow);
   renderView->GetNonCompositedRenderer()->AddViewProp(this->Annotation);
   // A window asks its views for better pictures while they rest only where they are to be streamed.
   vtkPVView::SetEnableStreaming(true);
@@ -176,6 +179,8 @@ bool vtkSplatRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
+  renderView->GetRenderer()->RemoveObserver(this->Laying);
+  renderView->GetRenderWindow()->RemoveObserver(this->Ending);
   renderView->GetRenderer()->RemoveViewProp(this->Prop);
   renderView->GetNonCompositedRenderer()->RemoveViewProp(this->Annotation);
   return this->Superclass::RemoveFromView(view);

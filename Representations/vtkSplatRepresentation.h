@@ -2,13 +2,15 @@
  * @class   vtkSplatRepresentation
  * @brief   the representation "Splats": particles as emitting and absorbing kernels
  *
- * Delivers the particles to where the view renders and forwards everything else to vtkSplatProp,
+ * Brings the particles of whatever has points (Filters/ParticleSets.h) to the process that draws
+ * them and forwards everything else to vtkSplatProp,
  * the accuracy and the components' factors to the prop's vtkSplatSettings. While the prop draws,
  * the representation's own progress is the picture's, and SetAbortExecute aborts it.
  */
 #ifndef vtkSplatRepresentation_h
 #define vtkSplatRepresentation_h
 
+#include "vtkAssembly.h"                   // for inline forwarding
 #include "vtkGalaxyReconstructionModule.h" // for export macro
 #include "vtkPVDataRepresentation.h"
 #include "vtkSkyAnnotation.h" // for inline forwarding
@@ -46,6 +48,14 @@ public:
   const char* GetRenderStatistics() { return this->Prop->GetRenderStatistics(); }
   vtkForwardSplatSettingsMacro;
   ///@}
+  ///@{
+  /// Where the particles are shown, as of any actor; Scale must be the same along all axes.
+  void SetPosition(double x, double y, double z) { this->Place->SetPosition(x, y, z); }
+  void SetScale(double x, double y, double z) { this->Place->SetScale(x, y, z); }
+  void SetOrientation(double x, double y, double z) { this->Place->SetOrientation(x, y, z); }
+  void SetOrigin(double x, double y, double z) { this->Place->SetOrigin(x, y, z); }
+  void SetUserTransform(const double matrix[16]);
+  ///@}
   /// The names of the particles' components as last read, a line each.
   const char* GetComponentNames() { return this->ComponentNames.c_str(); }
 
@@ -75,13 +85,19 @@ private:
   vtkSplatRepresentation(const vtkSplatRepresentation&) = delete;
   void operator=(const vtkSplatRepresentation&) = delete;
 
+  /// The delivered particles where they are to be shown; null where they cannot be.
+  vtkPolyData* PlacedParticles(vtkPolyData* delivered);
   void OnProgress(vtkObject* prop, unsigned long event, void* fraction);
 
   vtkSmartPointer<vtkSplatProp> Prop;
   vtkSmartPointer<vtkSkyAnnotation> Annotation;
   vtkSplatSettings* Settings;
-  vtkSmartPointer<vtkPolyData> Particles;
-  vtkSmartPointer<vtkPolyData> Piece; ///< what all processes together have once
+  vtkSmartPointer<vtkPolyData> Particles; ///< of all processes, on the first one
+  vtkSmartPointer<vtkAssembly> Place;     ///< for its matrix
+  vtkSmartPointer<vtkPolyData> Placed;
+  vtkPolyData* Delivered = nullptr; ///< what Placed was made of
+  vtkTimeStamp PlacedTime;
+  unsigned long Laying = 0, Ending = 0; ///< observers of the renderer and its window
   std::string ComponentNames;
 };
 

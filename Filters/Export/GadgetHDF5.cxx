@@ -33,7 +33,7 @@ hid_t typeOf(Element element)
   return H5T_NATIVE_FLOAT;
 }
 
-void writeHeader(const TypeOrder& order, HDF5File& file)
+void writeHeader(const TypeOrder& order, const std::string& madeUp, HDF5File& file)
 {
   std::vector<std::uint64_t> counts(order.counts().begin(), order.counts().end());
   std::vector<std::uint32_t> low, high;
@@ -58,6 +58,10 @@ void writeHeader(const TypeOrder& order, HDF5File& file)
          "Flag_Metals", "Flag_Entropy_ICs", "Flag_DoublePrecision" })
   {
     file.setAttribute(header, flag, std::vector<std::int32_t>{ 0 });
+  }
+  if (!madeUp.empty())
+  {
+    file.setAttribute(header, "MadeUp", madeUp);
   }
 }
 
@@ -149,7 +153,7 @@ void writeGadgetHDF5(
   AtomicFile target(file);
   target.reserve(total + (1 << 20));
   HDF5File layout(target.path(), file);
-  writeHeader(order, layout);
+  writeHeader(order, table.madeUp, layout);
   writeComponents(table.components, layout);
   const std::vector<Extent> extents = makeGroups(order, fields, layout);
   layout.close();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace galaxy
@@ -26,6 +27,7 @@ struct ParticleTable
   int emissionChannels = 3;                ///< 1 or 3
   int absorptionChannels = 3;              ///< 1 or 3
   std::vector<ComponentInfo> components{ 1 };
+  std::string madeUp; ///< what of it is not the particles' own, for the file to say; or empty
 
   float intensityOf(std::size_t i) const { return this->intensity ? this->intensity[i] : 1; }
   float smoothingLengthOf(std::size_t i) const

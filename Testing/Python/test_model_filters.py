@@ -245,7 +245,7 @@ class Filters(gt.ProxyTest):
 
     # --- GalaxyModel -----------------------------------------------------------------------------
 
-    def test_report_adds_up_and_a_particle_takes_24_bytes(self):
+    def test_report_adds_up_and_a_particle_takes_24_bytes_and_its_vertex_8(self):
         model = simple.GalaxyModel(Input=simple.GalaxyReader(FileName=gt.M83), ParticleScale=0.02)
         model.UpdatePipeline()
         model.UpdatePropertyInformation()
@@ -270,7 +270,11 @@ class Filters(gt.ProxyTest):
         columns.append(data.GetPoints().GetData())
         size = sum(c.GetNumberOfComponents() * c.GetDataTypeSize() for c in columns)
         self.assertEqual(size, 24)
-        self.assertEqual(data.GetNumberOfCells(), 0)
+        self.assertEqual(data.GetNumberOfCells(), data.GetNumberOfPoints())
+        vertices = data.GetVerts()
+        cells = [vertices.GetOffsetsArray(), vertices.GetConnectivityArray()]
+        size = sum(c.GetNumberOfValues() * c.GetDataTypeSize() for c in cells)
+        self.assertLessEqual(size, 8 * data.GetNumberOfPoints() + 8)
 
 
 if __name__ == "__main__":
