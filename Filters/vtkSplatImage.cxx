@@ -4,9 +4,11 @@
 #include "Filters/ParticleData.h"
 #include "Filters/PictureData.h"
 #include "Filters/Splatting/Panorama.h"
+#include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/Render.h"
 #include "Filters/Splatting/Tiles.h"
 #include "Readers/AlgorithmProgress.h"
+#include "Readers/CopyToArray.h"
 #include "Readers/Processes.h"
 #include "Readers/ReportErrors.h"
 
@@ -33,12 +35,7 @@ galaxy::Vec3 vector(const double v[3])
 
 void addChannels(vtkImageData* output, const char* name, const std::vector<float>& values)
 {
-  vtkNew<vtkFloatArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  output->GetPointData()->AddArray(array);
+  output->GetPointData()->AddArray(galaxy::copyToArray<vtkFloatArray>(values, name, 3));
 }
 }
 
@@ -104,6 +101,7 @@ int vtkSplatImage::RequestData(
 
 void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
 {
+  galaxy::requireMemoryOfPicture(this->ImageSize[0], this->ImageSize[1], 2); // drawn and handed on
   galaxy::ParticleInput input;
   galaxy::viewParticles(particles, *this->Settings, input);
   const std::string unknown = this->Settings->UnknownNames(input.components);

@@ -47,7 +47,8 @@ void vtkSplatImageWriter::WriteData()
   {
     return;
   }
-  const bool written = galaxy::reportErrors(this, [this] { this->Export(); });
+  const bool written = galaxy::reportErrors(
+    this, [this] { this->Export(); }, "close other data");
   this->SetErrorCode(written ? vtkErrorCode::NoError : vtkErrorCode::CannotOpenFileError);
 }
 

@@ -1,5 +1,7 @@
 #include "DataObjects.h"
 
+#include "Readers/CopyToArray.h"
+#include "Readers/Formats/AvailableMemory.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingPlane.h"
 #include "Readers/PlaceOnSky.h"
@@ -109,6 +111,13 @@ GalaxyDescription descriptionOf(vtkDataObject* object, const std::string& what)
   return parseGalaxyDescription(fieldString(object, "GalaxyDescription", file), file, texts);
 }
 
+void requireMemoryOfCopy(const std::string& file, std::size_t pixels)
+{
+  requireMemory(double(sizeof(double)) * double(pixels), file, "",
+    "a copy of the image of " + std::to_string(pixels) + " pixels",
+    "cut out or bin the image first");
+}
+
 std::string blockName(vtkPartitionedDataSetCollection* collection, unsigned int index)
 {
   const char* name = collection->HasMetaData(index)
@@ -150,18 +159,11 @@ void toImageData(const Image& image, vtkImageData* output)
   output->SetExtent(0, image.width - 1, 0, image.height - 1, 0, 0);
   output->SetOrigin(1, 1, 0);
   output->SetSpacing(1, 1, 1);
-  vtkNew<vtkDoubleArray> intensity;
-  intensity->SetName("Intensity");
-  intensity->SetNumberOfValues(static_cast<vtkIdType>(image.values.size()));
-  std::copy(image.values.begin(), image.values.end(), intensity->GetPointer(0));
-  output->GetPointData()->SetScalars(intensity);
+  requireMemoryOfCopy(image.file, image.values.size());
+  output->GetPointData()->SetScalars(copyToArray<vtkDoubleArray>(image.values, "Intensity", 1));
   if (!image.bad.empty())
   {
-    vtkNew<vtkUnsignedCharArray> bad;
-    bad->SetName("Bad");
-    bad->SetNumberOfValues(static_cast<vtkIdType>(image.bad.size()));
-    std::copy(image.bad.begin(), image.bad.end(), bad->GetPointer(0));
-    output->GetPointData()->AddArray(bad);
+    output->GetPointData()->AddArray(copyToArray<vtkUnsignedCharArray>(image.bad, "Bad", 1));
   }
 
   vtkNew<vtkStringArray> cards;
@@ -201,7 +203,9 @@ Image toImage(vtkImageData* input)
     throw Error(
       image.file, "Intensity", "no such point array on a flat image; connect GalaxyReader itself");
   }
-  image.values.resize(static_cast<std::size_t>(intensity->GetNumberOfTuples()));
+  const auto pixels = static_cast<std::size_t>(intensity->GetNumberOfTuples());
+  requireMemoryOfCopy(image.file, pixels);
+  image.values.resize(pixels);
   for (std::size_t i = 0; i < image.values.size(); ++i)
   {
     image.values[i] = intensity->GetTuple1(static_cast<vtkIdType>(i));
@@ -335,7 +339,7 @@ Galaxy galaxyOfFieldData(vtkDataObject* object)
   return galaxy;
 }
 
-void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
+void toCollection(Galaxy galaxy, vtkPartitionedDataSetCollection* output)
 {
   const GalaxyDescription& description = galaxy.description;
   setDescription(output, description);
@@ -360,6 +364,7 @@ void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output)
     toImageData(galaxy.images[i], image);
     placeOnSky(galaxy.images[i], description.images[i], frame, image);
     addBlock(image, description.images[i].name);
+    galaxy.images[i] = {}; // lest all be there twice
   }
 }
 

@@ -30,7 +30,7 @@ RingTable toRingTable(vtkPolyData* input, double unit);
 /// A collection of the rings ("rings") and each image by its name, in its place on the sky; the
 /// description travels in the field data as the string arrays `GalaxyFile`, `GalaxyDescription` and
 /// `GalaxyTables` (the paths and texts of the tables it names).
-void toCollection(const Galaxy& galaxy, vtkPartitionedDataSetCollection* output);
+void toCollection(Galaxy galaxy, vtkPartitionedDataSetCollection* output);
 /// The inverse: the description comes from the field data, rings and images from the blocks, so
 /// that what a filter did to them counts. Throws Error where something is missing.
 Galaxy toGalaxy(vtkPartitionedDataSetCollection* input);

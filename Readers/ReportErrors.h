@@ -5,15 +5,32 @@
 
 #include "vtkObject.h"
 
+#include <cstdio>
 #include <exception>
 #include <new>
 
 namespace galaxy
 {
+/// As an error of the object. What says so takes memory too, and nothing may be thrown into VTK.
+inline void say(vtkObject* self, const char* what, const char* cure = "") noexcept
+{
+  try
+  {
+    vtkErrorWithObjectMacro(self, << what << cure);
+  }
+  catch (const std::exception&)
+  {
+    std::fputs(what, stderr);
+    std::fputs("\n", stderr);
+  }
+}
+
 /// Does the work of a VTK request: 1 where it succeeds, and where the user has aborted it, which
-/// leaves no data; where it throws, the object reports why and the request fails with 0.
+/// leaves no data; where it throws, the object reports why and the request fails with 0. `cure`
+/// says what to do where memory runs out.
 template <typename Work>
-int reportErrors(vtkObject* self, const Work& work)
+int reportErrors(
+  vtkObject* self, const Work& work, const char* cure = "use a smaller ParticleScale") noexcept
 {
   try
   {
@@ -26,11 +43,11 @@ int reportErrors(vtkObject* self, const Work& work)
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(self, << "not enough memory; use a smaller ParticleScale");
+    say(self, "not enough memory; ", cure);
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(self, << error.what());
+    say(self, error.what());
   }
   return 0;
 }

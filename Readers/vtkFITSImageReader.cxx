@@ -90,8 +90,9 @@ int vtkFITSImageReader::RequestData(
   {
     return this->GetAbortExecute();
   }
-  galaxy::toImageData(*this->Image, vtkImageData::GetData(outputVector, 0));
-  return 1;
+  return galaxy::reportErrors(
+    this, [&] { galaxy::toImageData(*this->Image, vtkImageData::GetData(outputVector, 0)); },
+    "cut out or bin the image first");
 }
 
 void vtkFITSImageReader::PrintSelf(ostream& os, vtkIndent indent)
