@@ -71,6 +71,17 @@ int vtkSplatImage::RequestInformation(
                   << this->ImageSize[1]);
     return 0;
   }
+  // Here, for VTK would want its pixels ever after of a picture that is refused later. It is drawn
+  // and then handed on; what there is of the last one goes. Several processes must agree, and do
+  // not look.
+  const double held = 1024.0 * this->GetOutputDataObject(0)->GetActualMemorySize();
+  const auto requireMemory = [&] {
+    galaxy::requireMemoryOfPicture(this->ImageSize[0], this->ImageSize[1], 2, held);
+  };
+  if (galaxy::numberOfProcesses() == 1 && !galaxy::reportErrors(this, requireMemory))
+  {
+    return 0;
+  }
   // Of several processes the first one has the picture.
   int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
   extent[1] = galaxy::isFirstProcess() ? extent[1] : -1;
@@ -101,7 +112,6 @@ int vtkSplatImage::RequestData(
 
 void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
 {
-  galaxy::requireMemoryOfPicture(this->ImageSize[0], this->ImageSize[1], 2); // drawn and handed on
   galaxy::ParticleInput input;
   galaxy::viewParticles(particles, *this->Settings, input);
   const std::string unknown = this->Settings->UnknownNames(input.components);

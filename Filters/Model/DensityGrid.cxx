@@ -4,6 +4,7 @@
 #include "Filters/Model/CloudSample.h"
 #include "Filters/Model/ParallelFor.h"
 #include "Filters/Model/SameClones.h"
+#include "Filters/Model/WorkProgress.h"
 
 #include <omp.h>
 
@@ -263,17 +264,26 @@ void DensityGrid::blockDistances(const float* position, std::size_t n, float* d)
   std::memcpy(d, places.word, n * sizeof(float));
 }
 
-void DensityGrid::meanDistances(const float* position, std::size_t count, float* d) const
+void DensityGrid::meanDistances(
+  const float* position, std::size_t count, float* d, const Progress& progress) const
 {
   if (this->cells.empty())
   {
     std::fill_n(d, count, 0.0f);
     return;
   }
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < count; i += blockSize)
+  WorkProgress work(progress);
+  work.begin(1, count);
+  parallelFor<std::size_t>(0, (count + blockSize - 1) / blockSize, [&](std::size_t block) {
+    const std::size_t first = block * blockSize, n = std::min(blockSize, count - first);
+    if (work.advance(n))
+    {
+      this->blockDistances(position + 3 * first, n, d + first);
+    }
+  });
+  if (work.isAborted())
   {
-    this->blockDistances(position + 3 * i, std::min(blockSize, count - i), d + i);
+    throw Aborted("particles", "", "their smoothing lengths were given up");
   }
 }
 } // namespace galaxy

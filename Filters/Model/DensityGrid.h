@@ -1,6 +1,8 @@
 #ifndef galaxy_DensityGrid_h
 #define galaxy_DensityGrid_h
 
+#include "Readers/Formats/Progress.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +29,9 @@ public:
   /// cloud are apart. A place takes the value of a point of the cube as large as its cell, centred
   /// on it, that chance chooses for all places of an eighth of the cell's side: on average the
   /// values change as under linear interpolation, and cells leave no edges.
-  void meanDistances(const float* position, std::size_t count, float* d) const;
+  /// Throws Aborted where `progress` ends it.
+  void meanDistances(
+    const float* position, std::size_t count, float* d, const Progress& progress = {}) const;
 
   /// Cells in use, of 4 bytes each.
   std::size_t size() const { return this->cells.size(); }

@@ -289,6 +289,10 @@ void placeFilaments(const Seeds& seeds, const ParticleStarts& starts, const Tilt
     return;
   }
   parallelFor<std::size_t>(0, seeds.size(), [&](std::size_t i) {
+    if (!writer.advance(starts[i + 1] - starts[i]))
+    {
+      return;
+    }
     RingFrame ring = disk.frame(seeds.radius[i]);
     const Step step(component.dust, ring.rotation);
     PlaneWalk plane(seeds, i, ring, step, component.dust, key);

@@ -48,6 +48,10 @@ void placeFractalDust(const Seeds& seeds, const ParticleStarts& starts, const Ti
   const FractalClouds clouds(dust, key);
   std::vector<double> lights(seeds.size());
   parallelFor<std::size_t>(0, seeds.size(), [&](std::size_t i) {
+    if (!writer.advance(starts[i + 1] - starts[i]))
+    {
+      return;
+    }
     const PlanePoint seed = { seeds.radius[i], sineCosine(seeds.azimuth[i]) };
     NormalSequence<8> normal(key, RandomStream::FractalPlace, seeds.index[i]);
     for (std::uint64_t child = starts[i]; child < starts[i + 1]; ++child)

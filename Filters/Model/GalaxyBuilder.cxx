@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace galaxy
@@ -147,9 +148,16 @@ private:
     return std::min(1.0, stages / (stagesOfOne * std::max<double>(1, this->components)));
   }
 
+  Progress presentStage() const
+  {
+    return partOf(
+      this->options.progress, this->after(this->stagesDone - 1), this->after(this->stagesDone));
+  }
+
   void tell(double fraction)
   {
-    if (this->options.progress && !this->options.progress(fraction))
+    const bool isGivenUp = this->work && this->work->isAborted();
+    if (isGivenUp || (this->options.progress && !this->options.progress(fraction)))
     {
       throw Aborted(this->galaxy.file, "", "the model was given up");
     }
@@ -318,7 +326,10 @@ private:
 
   ParticleWriter writerOf(std::size_t index, std::size_t first)
   {
-    return { this->particles, first, static_cast<std::uint8_t>(index) };
+    this->stage = this->presentStage();
+    this->work = std::make_unique<WorkProgress>(this->stage);
+    this->work->begin(1, this->particles.size() - first);
+    return { this->particles, first, static_cast<std::uint8_t>(index), this->work.get() };
   }
 
   /// With a map, the spheroid takes its fraction of `light` from that.
@@ -368,9 +379,7 @@ private:
     ComponentReport& done = this->report.components[index];
     const std::size_t last = this->particles.size();
     requireFinite(this->particles, first, last, this->galaxy.file, component.name);
-    setSmoothingLengths(this->particles, first, last, component.smoothing,
-      partOf(
-        this->options.progress, this->after(this->stagesDone - 1), this->after(this->stagesDone)));
+    setSmoothingLengths(this->particles, first, last, component.smoothing, this->presentStage());
     requireFiniteLengths(this->particles, first, last, this->galaxy.file, component.name);
     done.particles = last - first;
     done.smoothingLength = done.particles > 0
@@ -388,6 +397,8 @@ private:
   Stopwatch watch;
   std::size_t components = 0; ///< to be built
   double stagesDone = 0;
+  Progress stage;
+  std::unique_ptr<WorkProgress> work; ///< of the stage, where it writes particles
 };
 } // namespace
 

@@ -2,6 +2,7 @@
 #define galaxy_ParticleWriter_h
 
 #include "Filters/Model/Particles.h"
+#include "Filters/Model/WorkProgress.h"
 #include "Readers/Formats/Vec3.h"
 
 #include <cstdint>
@@ -32,12 +33,18 @@ inline Particles allocateParticles(std::size_t size, bool velocities)
 class ParticleWriter
 {
 public:
-  ParticleWriter(Particles& particles, std::size_t offset, std::uint8_t component)
+  /// `work` is told how many are done; null: nobody is.
+  ParticleWriter(
+    Particles& particles, std::size_t offset, std::uint8_t component, WorkProgress* work = nullptr)
     : particles(particles)
     , offset(offset)
     , component(component)
+    , work(work)
   {
   }
+
+  /// So many more are written, or about to be. False when they are not wanted any more.
+  bool advance(std::size_t count) const { return !this->work || this->work->advance(count); }
 
   bool wantsVelocity() const { return !this->particles.velocity.empty(); }
 
@@ -79,6 +86,7 @@ private:
   Particles& particles;
   std::size_t offset;
   std::uint8_t component;
+  WorkProgress* work;
 };
 } // namespace galaxy
 

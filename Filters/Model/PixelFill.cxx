@@ -101,6 +101,7 @@ void fillPixels(const std::vector<std::uint32_t>& pixels, const LightMap& map,
   parallelFor<std::size_t>(0, batches, [&](std::size_t batch) {
     const std::size_t first = batch * deviatesAtOnce;
     const std::size_t last = std::min<std::size_t>(pixels.size(), first + deviatesAtOnce);
+    writer.advance(last - first); // all are written, for they are weighed at once
     std::array<Seen, deviatesAtOnce> seen;
     std::array<Vec3, deviatesAtOnce> motion;
     Deviates heights{};

@@ -73,7 +73,8 @@ void smoothingLengths(const float* position, const float* intensity, std::size_t
   {
     case SmoothingModel::Density:
       factor = smoothing.factor;
-      DensityGrid(position, count, smoothing.neighbours).meanDistances(position, count, h);
+      DensityGrid(position, count, smoothing.neighbours)
+        .meanDistances(position, count, h, progress);
       break;
     case SmoothingModel::Neighbours:
       factor = smoothing.factor;

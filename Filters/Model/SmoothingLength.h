@@ -18,7 +18,8 @@ namespace galaxy
 ///
 /// All are kept from minimum to maximum, and positive whatever the input: a particle without light,
 /// or one with no other apart from it, gets the minimum, at least 1e-9 kpc. Throws Error naming the
-/// parameter that is out of range, Aborted where `progress` ends it, which only Neighbours asks.
+/// parameter that is out of range, Aborted where `progress` ends it, which Density and Neighbours
+/// ask.
 void smoothingLengths(const float* position, const float* intensity, std::size_t count,
   const SmoothingDescription& smoothing, float* h, const Progress& progress = {});
 

@@ -46,9 +46,15 @@ void writeAt(const Places& places, const RandomKey& key, std::size_t count, cons
   const ParticleWriter& writer)
 {
   const bool moves = writer.wantsVelocity() && common.dispersion > 0;
-  parallelFor<std::size_t>(0, count, [&](std::size_t i) {
-    const Vec3 velocity = moves ? randomVelocity(key, i, common.dispersion) : Vec3{};
-    writer.write(i, places(i), common.light, common.color.data(), velocity);
+  constexpr std::size_t atOnce = 1024;
+  parallelFor<std::size_t>(0, (count + atOnce - 1) / atOnce, [&](std::size_t block) {
+    const std::size_t first = block * atOnce, last = std::min(first + atOnce, count);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Vec3 velocity = moves ? randomVelocity(key, i, common.dispersion) : Vec3{};
+      writer.write(i, places(i), common.light, common.color.data(), velocity);
+    }
+    writer.advance(last - first);
   });
 }
 } // namespace

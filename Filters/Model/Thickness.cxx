@@ -238,8 +238,13 @@ void placeChildren(const Seeds& seeds, const ParticleStarts& starts, const Tilte
   const std::size_t blocks = (seeds.size() + seedsAtOnce - 1) / seedsAtOnce;
   parallelForDynamic<std::size_t>(0, blocks, 1, [&](std::size_t block) {
     ChildBatch batch(parentOf.law(), disk, component, key, writer);
-    const std::size_t last = std::min((block + 1) * seedsAtOnce, seeds.size());
-    for (std::size_t i = block * seedsAtOnce; i < last; ++i)
+    const std::size_t first = block * seedsAtOnce;
+    const std::size_t last = std::min(first + seedsAtOnce, seeds.size());
+    if (!writer.advance(starts[last] - starts[first]))
+    {
+      return;
+    }
+    for (std::size_t i = first; i < last; ++i)
     {
       batch.add(parentOf, i);
     }

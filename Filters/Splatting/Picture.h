@@ -11,11 +11,12 @@
 
 namespace galaxy
 {
-/// Throws Error where so many `copies` of a picture would not fit into memory.
-inline void requireMemoryOfPicture(int width, int height, double copies = 1)
+/// Throws Error where so many `copies` of a picture would not fit into memory, of which `held`
+/// bytes are there already.
+inline void requireMemoryOfPicture(int width, int height, double copies = 1, double held = 0)
 {
   const std::string size = std::to_string(width) + " x " + std::to_string(height);
-  requireMemory(copies * 2 * 3 * sizeof(float) * width * height, "picture", "ImageSize",
+  requireMemory(copies * 2 * 3 * sizeof(float) * width * height - held, "picture", "ImageSize",
     "one of " + size + " pixels", "choose a smaller one");
 }
 

@@ -25,7 +25,7 @@ constexpr std::uint64_t largestRatio = 1032;
 const char* const unopened = "cannot be opened; check that it may be read";
 } // namespace
 
-FitsBytes::FitsBytes(const std::string& file)
+FitsBytes::FitsBytes(const std::string& file, const Progress& progress)
   : file(file)
 {
   requireRegularFile(file);
@@ -38,7 +38,7 @@ FitsBytes::FitsBytes(const std::string& file)
   }
   if (this->read(0, 2) == "\x1f\x8b")
   {
-    this->unpack();
+    this->unpack(progress);
   }
 }
 
@@ -56,7 +56,7 @@ std::string FitsBytes::read(std::uint64_t offset, std::size_t count)
   return bytes;
 }
 
-void FitsBytes::unpack()
+void FitsBytes::unpack(const Progress& progress)
 {
   const GzipFile gzip(gzopen(this->file.c_str(), "rb"), gzclose);
   if (!gzip)
@@ -80,6 +80,11 @@ void FitsBytes::unpack()
       if (filled > limit)
       {
         throw Error(this->file, "", "unpacks to more than the memory that is free; cut out a part");
+      }
+      if (progress &&
+        !progress(static_cast<double>(gzoffset(gzip.get())) / static_cast<double>(this->length)))
+      {
+        throw Aborted(this->file, "", "reading was ended");
       }
       this->memory.resize(filled + unpackedAtOnce);
       count = gzread(gzip.get(), this->memory.data() + filled, unpackedAtOnce);

@@ -1,6 +1,8 @@
 #ifndef galaxy_FitsBytes_h
 #define galaxy_FitsBytes_h
 
+#include "Readers/Formats/Progress.h"
+
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -13,7 +15,8 @@ class FitsBytes
 public:
   /// The path is taken literally. Throws Error where the file is missing or unreadable, its gzip
   /// stream broken or ended early, or where it unpacks to more than availableMemory().
-  explicit FitsBytes(const std::string& file);
+  /// `progress` is told the part unpacked; Aborted is thrown where it ends that.
+  explicit FitsBytes(const std::string& file, const Progress& progress = {});
 
   std::uint64_t size() const { return this->length; }
 
@@ -26,7 +29,7 @@ public:
   const std::string file;
 
 private:
-  void unpack();
+  void unpack(const Progress& progress);
 
   std::ifstream stream;
   std::string memory;

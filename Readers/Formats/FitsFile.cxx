@@ -97,7 +97,9 @@ Image readFitsImage(
   const ClassicLocale classic;
   try
   {
-    FitsBytes bytes(file);
+    constexpr double unpackingShare = 0.5; // where it is gzipped
+    FitsBytes bytes(file, partOf(progress, 0, unpackingShare));
+    const double unpacked = bytes.unpacked().empty() ? 0 : unpackingShare;
     const FitsHdu hdu = findFitsImage(bytes, selection);
     const FitsPlan plan = planOf(file, hdu, selection);
     Image image = emptyImage(file, hdu, plan);
@@ -108,7 +110,7 @@ Image readFitsImage(
       checkTiles(fits, hdu);
     }
     image.cards = readCards(fits);
-    readPixels(fits, hdu, plan, selection.maskValues, progress, image);
+    readPixels(fits, hdu, plan, selection.maskValues, partOf(progress, unpacked, 1), image);
     return image;
   }
   catch (const std::bad_alloc&)

@@ -187,10 +187,19 @@ TEST(GalaxyBuilder, ProgressRunsToTheEndAndCanStop)
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.front(), 0);
   EXPECT_EQ(fractions.back(), 1);
+  EXPECT_GT(fractions.size(), 100u); // of 24 stages
   for (const double stop : { 0.0, 0.3, 0.6, 1.0 })
   {
     options.progress = [stop](double fraction) { return fraction < stop; };
     EXPECT_THROW(buildGalaxy(input, options), Aborted);
+  }
+  // Who says once that it is not wanted need not say it again.
+  for (std::size_t stop = 1; stop < fractions.size(); stop += 29)
+  {
+    std::size_t told = 0;
+    options.progress = [&](double) { return ++told != stop; };
+    EXPECT_THROW(buildGalaxy(input, options), Aborted);
+    EXPECT_EQ(told, stop);
   }
 }
 

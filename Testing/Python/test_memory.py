@@ -38,10 +38,13 @@ class Memory(unittest.TestCase):
 
     def test_pictures(self):
         particles = simple.Spheroid(NumberOfParticles=1000)
-        picture = simple.SplatImage(Input=particles, ImageSize=[100000, 100000])
+        picture = simple.SplatImage(Input=particles, ImageSize=[32, 32])
         for projection in ("Camera", "Equirectangular", "Dome"):
+            picture.UpdatePipeline()
             picture.Projection = projection
-            self.refused(lambda: picture, "ImageSize", "100000 x 100000", "480 GB", "choose a smaller one")
+            picture.ImageSize = [100000, 100000]
+            self.refused(lambda: picture, "ImageSize", "100000 x 100000", "choose a smaller one")
+            picture.ImageSize = [32, 32]
         picture.ImageSize = [64, 64]
         with gt.Messages() as messages:
             picture.UpdatePipeline()
