@@ -1,6 +1,6 @@
 #include "Readers/Formats/AxesCards.h"
 
-#include "Readers/Formats/Error.h"
+#include "Readers/Formats/NoCoordinates.h"
 
 #include <algorithm>
 
@@ -8,8 +8,6 @@ namespace galaxy
 {
 namespace
 {
-const std::string cure = "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file";
-
 /// A text that WCSLIB can take: printable, and short enough for a card.
 std::string plainText(const FitsHeader& header, const std::string& keyword)
 {
@@ -112,7 +110,7 @@ std::optional<double> AxesCards::numberOf(const std::string& keyword) const
   const std::optional<double> number = this->header.number(keyword);
   if (text && !text->empty() && !number)
   {
-    throw Error(this->file, keyword, "'" + *text + "' is not a number" + cure);
+    throw NoCoordinates(this->file, keyword, "'" + *text + "' is not a number");
   }
   return number;
 }
@@ -135,8 +133,8 @@ void AxesCards::writeTypes()
   this->projection = types[0].size() >= 8 ? types[0].substr(5, 3) : "";
   if (this->projection == "TAB")
   {
-    throw Error(this->file, "CTYPE" + this->named(0),
-      "tabulated coordinates (-TAB) are not supported" + cure);
+    throw NoCoordinates(
+      this->file, "CTYPE" + this->named(0), "tabulated coordinates (-TAB) are not supported");
   }
   const std::string known = this->knownProjection();
   for (int k = 0; k < 2; ++k)

@@ -1,17 +1,12 @@
 #include "Readers/Formats/AxesCards.h"
 
-#include "Readers/Formats/Error.h"
+#include "Readers/Formats/NoCoordinates.h"
 #include "Readers/Formats/WatCorrection.h"
 
 #include <cmath>
 
 namespace galaxy
 {
-namespace
-{
-const std::string cure = "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file";
-}
-
 /// Distortions by records and tables (FITS paper IV, HST) are not read. HST says how far its tables
 /// move a place, a tenth of a pixel.
 void AxesCards::requireKnownDistortions() const
@@ -31,17 +26,15 @@ void AxesCards::requireKnownDistortions() const
       const std::string size = error + this->named(k);
       if (upperCase(type) != "LOOKUP")
       {
-        throw Error(
-          this->file, keyword, "distortions of the kind '" + type + "' are not supported" + cure);
+        throw NoCoordinates(
+          this->file, keyword, "distortions of the kind '" + type + "' are not supported");
       }
       if (!(std::abs(this->header.number(size).value_or(2 * smallest)) <= smallest))
       {
-        throw Error(this->file, keyword,
+        throw NoCoordinates(this->file, keyword,
           "a distortion table (LOOKUP) that moves places by more than a pixel, or says not by how "
           "much (" +
-            size +
-            "), is not supported; use the drizzled image, or give `ra`, `dec` and "
-            "`pixel_scale` for this image in the .galaxy file");
+            size + "), is not supported; the drizzled image has none");
       }
     }
   }
@@ -61,7 +54,7 @@ void AxesCards::writeSip()
     const double order = this->header.number(root + "ORDER").value_or(0);
     if (!(order >= 0 && order <= highest && order == std::floor(order)))
     {
-      throw Error(this->file, root + "ORDER", "must be a whole number from 0 to 9" + cure);
+      throw NoCoordinates(this->file, root + "ORDER", "must be a whole number from 0 to 9");
     }
     for (int p = 0; p <= order; ++p)
     {
@@ -91,8 +84,8 @@ void AxesCards::writeWat()
   if (this->longitude != 0)
   {
     // IRAF's polynomials are of longitude and latitude, WCSLIB's of the first axis and the second.
-    throw Error(this->file, "CTYPE" + this->named(0),
-      "the projection " + this->projection + " must have its longitude first" + cure);
+    throw NoCoordinates(this->file, "CTYPE" + this->named(0),
+      "the projection " + this->projection + " must have its longitude first");
   }
   for (int k = 0; k < 2; ++k)
   {

@@ -2,7 +2,7 @@
 
 #include "Readers/Formats/BadPixels.h"
 #include "Readers/Formats/Beam.h"
-#include "Readers/Formats/Error.h"
+#include "Readers/Formats/NoCoordinates.h"
 #include "Readers/Formats/Vec3.h"
 
 #include <cmath>
@@ -26,9 +26,7 @@ Vec3 direction(const WorldCoordinates& world, const PixelPosition& pixel, const 
   SkyPosition sky;
   if (!world.pixelToSky(pixel, sky))
   {
-    throw Error(file, "CRPIX",
-      "the image's middle is not on the sky; give `ra`, `dec` and `pixel_scale` for this image in "
-      "the .galaxy file");
+    throw NoCoordinates(file, "CRPIX", "the image's middle is not on the sky");
   }
   const double alpha = sky.ra * pi / 180, delta = sky.dec * pi / 180;
   return { std::cos(delta) * std::cos(alpha), std::cos(delta) * std::sin(alpha), std::sin(delta) };

@@ -1,6 +1,6 @@
 #include "Readers/Formats/HeaderFrame.h"
 
-#include "Readers/Formats/Error.h"
+#include "Readers/Formats/NoCoordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,6 @@ namespace galaxy
 {
 namespace
 {
-const std::string cure = "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file";
-
 struct Equinox
 {
   double year = 0;
@@ -100,13 +98,13 @@ CelestialFrame frameOfHeader(const std::string& file, const FitsHeader& header,
   const System system(header, version);
   if (longitude != "RA" && longitude != "ELON")
   {
-    throw Error(file, "CTYPE", "the celestial frame of " + longitude + " is not supported" + cure);
+    throw NoCoordinates(file, "CTYPE", "the celestial frame of " + longitude + " is not supported");
   }
   const bool isIcrs = system.is("ICRS");
   if (!isIcrs && !system.unknownEquinox.empty())
   {
-    throw Error(file, "EQUINOX" + version,
-      "'" + system.unknownEquinox + "' is no equinox, must be like 2000.0, J2000 or B1950" + cure);
+    throw NoCoordinates(file, "EQUINOX" + version,
+      "'" + system.unknownEquinox + "' is no equinox, must be like 2000.0, J2000 or B1950");
   }
   if (longitude == "ELON")
   {
@@ -125,7 +123,7 @@ CelestialFrame frameOfHeader(const std::string& file, const FitsHeader& header,
     return system.is("FK4-NO-E") ? CelestialFrame::fk4WithoutETerms(system.year(1950))
                                  : CelestialFrame::fk4(system.year(1950));
   }
-  throw Error(file, "RADESYS" + version,
-    "'" + system.name + "' is not supported, must be ICRS, FK5, FK4 or FK4-NO-E" + cure);
+  throw NoCoordinates(file, "RADESYS" + version,
+    "'" + system.name + "' is not supported, must be ICRS, FK5, FK4 or FK4-NO-E");
 }
 } // namespace galaxy

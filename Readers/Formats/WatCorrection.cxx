@@ -1,6 +1,6 @@
 #include "Readers/Formats/WatCorrection.h"
 
-#include "Readers/Formats/Error.h"
+#include "Readers/Formats/NoCoordinates.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,12 +12,11 @@ namespace galaxy
 {
 namespace
 {
-class BrokenCorrection : public Error
+class BrokenCorrection : public NoCoordinates
 {
 public:
   BrokenCorrection(const std::string& file, int axis, const std::string& what)
-    : Error(file, fitsKeyword("WAT", static_cast<std::size_t>(axis)) + "_001",
-        what + "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file")
+    : NoCoordinates(file, fitsKeyword("WAT", static_cast<std::size_t>(axis)) + "_001", what)
   {
   }
 };

@@ -5,6 +5,7 @@
 #include "Readers/Formats/CoordinateCards.h"
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/HeaderFrame.h"
+#include "Readers/Formats/NoCoordinates.h"
 
 #include <wcslib/wcs.h>
 #include <wcslib/wcsfix.h>
@@ -60,7 +61,6 @@ struct WorldPosition
   double phi = 0, theta = 0;
 };
 
-const std::string cure = "; give `ra`, `dec` and `pixel_scale` for this image in the .galaxy file";
 } // namespace
 
 struct WorldCoordinates::State
@@ -150,9 +150,9 @@ std::unique_ptr<WorldCoordinates::State> WorldCoordinates::State::ofAxes(
   {
     throw Error(*refusal);
   }
-  throw Error(file, "CTYPE",
+  throw NoCoordinates(file, "CTYPE",
     "the image axes" + cards.types() + " have no usable celestial coordinates" +
-      (rejection.empty() ? "" : " (WCSLIB: " + rejection + ")") + cure);
+      (rejection.empty() ? "" : " (WCSLIB: " + rejection + ")"));
 }
 
 // Axes fitted to a plate solution follow it to half a pixel. Programs that cut, bin or turn the
