@@ -6,6 +6,7 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 
 #include <algorithm>
+#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
@@ -21,6 +22,12 @@ std::string printed(std::string name)
   const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   std::replace_if(name.begin(), name.end(), isControl, ' ');
   return name;
+}
+
+/// Whether a spheroid found much less light than it was to take.
+bool isShort(const ComponentReport& component)
+{
+  return component.light < 0.75 * component.asked;
 }
 
 void addImage(const ImageReport& image, std::ostream& text)
@@ -59,7 +66,8 @@ Json toJson(const ComponentReport& component)
     { "seeds_kept", component.seedsKept }, { "particles", component.particles },
     { "filled", component.filled }, { "blank_pixels", component.dark.blank },
     { "negative_pixels", component.dark.negative }, { "bins", component.bins },
-    { "flux", component.flux }, { "light", component.light },
+    { "flux", component.flux }, { "light", component.light }, { "light_asked", component.asked },
+    { "end", component.end }, { "light_beyond_end", component.beyond },
     { "smoothing_length", component.smoothingLength } };
   json["images"] = Json::array();
   for (const ImageReport& image : component.images)
@@ -86,6 +94,16 @@ std::string inWords(const BuildReport& report)
     {
       text << "; " << std::setprecision(1) << 100 * component.light / component.flux
            << " % of its images' light lies on the disc" << std::setprecision(2);
+    }
+    if (component.end > 0)
+    {
+      text << "; ends at " << component.end << " kpc, beyond which its profile has "
+           << 100 * component.beyond << " % of its light";
+    }
+    if (component.asked > 0)
+    {
+      text << "; takes " << 100 * component.light / component.asked
+           << " % of the light that it is to take, as far as the pixels under it have that";
     }
     if (component.dark.blank + component.dark.negative > 0)
     {
@@ -115,6 +133,21 @@ std::string asJSON(const BuildReport& report)
     list.push_back(toJson(component));
   }
   return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string shortOnes(const BuildReport& report)
+{
+  std::string names;
+  for (const ComponentReport& component : report.components)
+  {
+    if (isShort(component))
+    {
+      char share[24];
+      std::snprintf(share, sizeof(share), " (%.1f %%)", 100 * component.light / component.asked);
+      names += (names.empty() ? "" : ", ") + printed(component.name) + share;
+    }
+  }
+  return names;
 }
 
 std::string darkOnes(const BuildReport& report, bool haveSeeds)

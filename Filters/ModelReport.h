@@ -14,6 +14,9 @@ std::string inWords(const BuildReport& report);
 /// U+FFFD, numbers that are none null.
 std::string asJSON(const BuildReport& report);
 
+/// The spheroids that could not take all the light that they were to take, and how much they did.
+std::string shortOnes(const BuildReport& report);
+
 /// The components without particles that have light or, where `haveSeeds`, whose every seed fell on
 /// darkness.
 std::string darkOnes(const BuildReport& report, bool haveSeeds);

@@ -19,7 +19,8 @@ galaxy::ThicknessDescription describe(vtkDiskThickness& filter)
   thickness.law = static_cast<galaxy::LayerLaw>(filter.GetLaw());
   thickness.reading = static_cast<galaxy::TaperReading>(filter.GetReading());
   thickness.childLight = static_cast<galaxy::ChildLight>(filter.GetChildLight());
-  thickness.children = filter.GetChildren();
+  thickness.children =
+    filter.GetChildren() == 0 ? galaxy::usualChildren(thickness.model) : filter.GetChildren();
   thickness.maximumChildren = filter.GetMaximumChildren();
   thickness.sigma = filter.GetSigma();
   thickness.compression = filter.GetCompression();

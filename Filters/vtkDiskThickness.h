@@ -54,7 +54,8 @@ public:
   vtkGetMacro(ChildLight, int);
   ///@}
   ///@{
-  /// Mean number of children: at intensity 1 (Gaussian) or at R = 0 (the others). Default 1.
+  /// Mean number of children: at intensity 1 (Gaussian) or at R = 0 (the others). 0
+  /// (default): 15 (Tapered) or 1.
   vtkSetMacro(Children, double);
   vtkGetMacro(Children, double);
   ///@}
@@ -178,7 +179,7 @@ private:
   int Law = 1;
   int Reading = 0;
   int ChildLight = 0;
-  double Children = 1;
+  double Children = 0;
   int MaximumChildren = 1000;
   double Compression = 0.5;
   double Sigma = 0.1;

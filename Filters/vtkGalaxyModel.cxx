@@ -45,6 +45,13 @@ int vtkGalaxyModel::RequestData(
     galaxy::Particles particles = galaxy::buildGalaxy(input, options, &report);
     this->Report = galaxy::inWords(report);
     this->ReportJSON = galaxy::asJSON(report);
+    const std::string shortened = galaxy::shortOnes(report);
+    if (!shortened.empty())
+    {
+      vtkWarningMacro(<< input.description.file << ": the pixels under " << shortened
+                      << " have less light than light_fraction asks for, and gave only that share "
+                         "of it; give a smaller light_fraction, or a larger spheroid");
+    }
     const std::string unasked = galaxy::darkOnes(report, false);
     if (!unasked.empty())
     {

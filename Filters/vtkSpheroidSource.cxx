@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,15 @@ void describeShape(vtkSpheroidSource& source, galaxy::SpheroidDescription& spher
   spheroid.truncation = source.GetTruncation() == 0 ? spheroid.truncation : source.GetTruncation();
 }
 
+/// Whoever does not say where it ends, be it by a preset, gets the usual end.
+void endSomewhere(galaxy::SpheroidDescription& spheroid)
+{
+  if (std::isinf(spheroid.truncation))
+  {
+    spheroid.truncation = galaxy::usualTruncation(spheroid);
+  }
+}
+
 galaxy::SpheroidDescription describe(vtkSpheroidSource& source)
 {
   requireUsable(source);
@@ -85,6 +95,7 @@ galaxy::SpheroidDescription describe(vtkSpheroidSource& source)
   {
     describeShape(source, spheroid);
   }
+  endSomewhere(spheroid);
   spheroid.tilted = false;
   spheroid.oriented = source.GetOriented();
   spheroid.positionAngle = source.GetPositionAngle();

@@ -82,7 +82,9 @@ public:
   vtkGetMacro(Concentration, double);
   ///@}
   ///@{
-  /// Where the spheroid ends along its first axis, kpc; 0 (default): nowhere.
+  /// Where the spheroid ends along its first axis, kpc. 0 (default): 5 Sigma (Gaussian), 20
+  /// EffectiveRadius (Sersic), 40 (Hernquist), 15 (Exponential) or 20 (Plummer) ScaleRadius, or as
+  /// Concentration says. Luminosity is all that lies within.
   vtkSetMacro(Truncation, double);
   vtkGetMacro(Truncation, double);
   ///@}

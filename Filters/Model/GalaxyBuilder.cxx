@@ -9,6 +9,7 @@
 #include "Filters/Model/ParticleWriter.h"
 #include "Filters/Model/Photometry.h"
 #include "Filters/Model/PixelFill.h"
+#include "Filters/Model/RadialProfile.h"
 #include "Filters/Model/SightLines.h"
 #include "Filters/Model/SmoothingLength.h"
 #include "Filters/Model/Spheroid.h"
@@ -343,10 +344,17 @@ private:
     addParticles(count, this->options, this->galaxy.file, component, this->particles);
     placeSpheroid(this->disk, component, this->keyOf(index), count, lightFactor(component),
       this->writerOf(index, first));
+    if (component.spheroid.listed.empty())
+    {
+      const RadialProfile profile(component.spheroid);
+      done.end = profile.end() * scaleOf(component.spheroid);
+      done.beyond = profile.beyond();
+    }
     done.seconds.thickness += this->proceed();
     if (map)
     {
-      const double each = component.spheroid.lightFraction * light / static_cast<double>(count);
+      done.asked = count > 0 ? component.spheroid.lightFraction * light : 0;
+      const double each = done.asked / static_cast<double>(count);
       Photometry::takeLight(this->particles, first, first + count, each, *map);
     }
     done.seconds.photometry += this->proceed();

@@ -43,6 +43,9 @@ struct ComponentReport
   int bins = 1;               ///< pixels of the images along a side of those that are kept exactly
   double flux = 0;            ///< of its images, whole, less what spheroids take, kpc^2
   double light = 0;           ///< that the particles show to the Earth; the rest lies off the disc
+  double asked = 0;           ///< of a spheroid that takes its light: what it was to take, kpc^2
+  double end = 0;             ///< of a spheroid, kpc along its first axis
+  double beyond = 0;          ///< the share of its profile's light that lies there and is left out
   double smoothingLength = 0; ///< kpc, mean
   StageSeconds seconds;
 };

@@ -36,7 +36,8 @@ public:
   void shine(Particles& particles, std::size_t first, std::size_t last, double factor) const;
 
   /// For a population that takes its light from another's pixels: every particle gets `each`, or
-  /// an equal part of its pixel where that has less, and its pixel's colour; the map loses it.
+  /// an equal part of its pixel where that has less, and its pixel's colour; the map loses it. To
+  /// make up for the one by more of the others would be another profile.
   static void takeLight(
     Particles& particles, std::size_t first, std::size_t last, double each, LightMap& map);
 

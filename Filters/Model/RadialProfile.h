@@ -22,6 +22,8 @@ public:
   double radius(double u) const;
   /// Where it ends; may be infinite.
   double end() const { return this->last; }
+  /// The share of the law's mass that would lie beyond; of NFW, which has none as a whole, 0.
+  double beyond() const { return this->kept.outside; }
 
   /// Mass per area of the round spheroid at the projected radius where a central brightness holds:
   /// 0 where it is finite there (Gaussian, Exponential, Plummer, Cored); R_e of Sersic, the

@@ -22,6 +22,13 @@ double folded(double difference)
   return rest <= -pi ? pi : rest;
 }
 
+/// Whether there is room to change from one radius to the next; without, there is a step. Over
+/// less, kpc, the changes of angles and velocities are beyond what numbers hold, as over nothing.
+bool isRange(double start, double end)
+{
+  return end - start > 1e-280;
+}
+
 void requireUsable(const RingTable& table, double distance)
 {
   if (table.rings.empty())
@@ -69,7 +76,7 @@ TiltedDisk::TiltedDisk(const RingTable& table, double distance, SpinSense sense,
   if (this->firstRadius > 0 || rings.size() == 1)
   {
     Interval inside = this->constant(0, rings.front(), kpc);
-    if (rings.size() > 1)
+    if (rings.size() > 1 && isRange(0, this->firstRadius))
     {
       inside.rotation = { 0, inside.rotation.value / this->firstRadius };
       inside.expansion = { 0, inside.expansion.value / this->firstRadius };
@@ -78,7 +85,7 @@ TiltedDisk::TiltedDisk(const RingTable& table, double distance, SpinSense sense,
   }
   for (std::size_t k = 0; k + 1 < rings.size(); ++k)
   {
-    if (rings[k + 1].radius > rings[k].radius)
+    if (isRange(kpc * rings[k].radius, kpc * rings[k + 1].radius))
     {
       this->intervals.push_back(
         this->between(rings[k], rings[k + 1], kpc, interpolation == RingInterpolation::Slerp));
@@ -264,7 +271,7 @@ double TiltedDisk::skyJacobian(double r, double theta) const
 
 double normalFocalHeight(const RingFrame& ring)
 {
-  return 0.5 / std::sqrt(ring.bendA * ring.bendA + ring.bendB * ring.bendB);
+  return 0.5 / std::hypot(ring.bendA, ring.bendB);
 }
 
 double TiltedDisk::outerRadius() const

@@ -357,6 +357,12 @@ GroupDescription parseGroupDescription(const std::string& text, const std::strin
 /// default, meaning. Made from the table that the files are read by.
 std::string describeKeys();
 
+/// Children a seed where nobody says how many: enough that their number is seen to fall (Tapered),
+/// or one.
+constexpr double usualChildren(ThicknessModel model)
+{
+  return model == ThicknessModel::Tapered ? 15 : 1;
+}
 /// Throws Error (file, component) naming the first key of a thickness whose value is out of range.
 void requireInRange(
   const ThicknessDescription& thickness, const std::string& file, const std::string& component);

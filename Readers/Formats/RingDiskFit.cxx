@@ -5,8 +5,9 @@
 //   eps(r) = eps + f^2 welm,  PA(r) = PA + f^2 wphim,  f = (r - r_w)/(r_max - r_w),
 // r_max the last ring; where eps(r) < 0 the axes change places: eps -> 1 - 1/(1 - eps),
 // PA -> PA + 90 degrees. Of a parameter that was not fitted the input value holds, and of those the
-// program prints wphim in radians. The thickness q that it may correct inclinations by is not in
-// the file, and taken as 0, as in the inclination that it prints.
+// program prints wphim in radians. The inclination that it prints beside eps tells more digits of
+// it and is taken. The thickness q that it may correct inclinations by is not in the file, and
+// taken as 0, as in the inclination that it prints.
 
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/RingText.h"
@@ -80,6 +81,17 @@ public:
     throw Error(this->file, label, "missing; give the whole output of the fit");
   }
 
+  /// The disc's ellipticity as the file has it most exactly: of two digits behind the point of eps
+  /// and of the inclination in degrees, the latter tell more.
+  double ellipticity() const
+  {
+    const double rounded = this->value("disk eps:");
+    double inclination;
+    const bool isGiven = this->find(this->best, "disk incl (deg):", inclination) ||
+      this->find(this->input, "disk incl (deg):", inclination);
+    return isGiven && rounded >= 0 ? 1 - std::cos(inclination * degree) : rounded;
+  }
+
   /// The setting of a toggle, `warp: T`.
   bool toggle(const std::string& name) const
   {
@@ -122,7 +134,7 @@ class Warp
 {
 public:
   Warp(const Output& output, double last)
-    : eps(output.value("disk eps:"))
+    : eps(output.ellipticity())
     , positionAngle(output.value("disk PA, phi_d^prime (deg):"))
     , last(last)
   {

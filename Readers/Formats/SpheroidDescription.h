@@ -83,6 +83,10 @@ struct SpheroidDescription
 /// The length along the first axis that a spheroid's profile is scaled by, kpc: sigma, R_e or the
 /// scale radius.
 double scaleOf(const SpheroidDescription& spheroid);
+/// Where such a profile ends that nobody truncates, kpc: so far out that little of its light lies
+/// beyond, and so near that the rest is still seen beside it. Infinite for NFW and Cored, which
+/// have their concentration.
+double usualTruncation(const SpheroidDescription& spheroid);
 /// The least truncation of such a profile, kpc: within less, its mass could not be told from 0.
 double leastTruncation(const SpheroidDescription& spheroid);
 } // namespace galaxy

@@ -42,8 +42,9 @@ const NumberRow<S> numbers[] = {
     "effective_radius (Sersic) or at the radius of half of the mass (Hernquist, NFW). Of preset "
     "DarkHalo 0." },
   { "light_fraction", &S::lightFraction, Range::from(0, 1), "",
-    "How much of all the light of light_from that lies on its disk is the spheroid's, as far as "
-    "the spheroid's pixels have it." },
+    "How much of all the light of light_from that lies on its disk is the spheroid's. Where the "
+    "pixels under it have less than its profile asks for, it gets what they have, which the report "
+    "and a warning say." },
   { "cluster_radius", &S::clusterRadius, Range::positive(), "kpc",
     "Plummer radius of a star cluster." },
 };
@@ -174,6 +175,27 @@ double scaleOf(const SpheroidDescription& spheroid)
   }
 }
 
+// Beyond lie 1.5e-5 of a Gaussian, 4e-5 of an exponential, 0.4 % of a Plummer sphere, 5 % of
+// Hernquist's and, of Sersic's, 1e-6 with n = 2 and 1 % with n = 4.
+double usualTruncation(const SpheroidDescription& spheroid)
+{
+  const double scale = scaleOf(spheroid);
+  switch (spheroid.profile)
+  {
+    case SpheroidProfile::Gaussian:
+      return 5 * scale;
+    case SpheroidProfile::Sersic:
+    case SpheroidProfile::Plummer:
+      return 20 * scale;
+    case SpheroidProfile::Exponential:
+      return 15 * scale;
+    case SpheroidProfile::Hernquist:
+      return 40 * scale;
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
+
 double leastTruncation(const SpheroidDescription& spheroid)
 {
   return 1e-6 * scaleOf(spheroid);
@@ -192,8 +214,11 @@ const Keys<SpheroidDescription>& spheroidKeys()
     number("scale_radius"),
     number("slope"),
     number("concentration"),
-    numberKey<S>("truncation", &S::truncation, Range::positive(), "kpc",
-      "Where the spheroid ends along its first axis."),
+    withDefault(
+      numberKey<S>("truncation", &S::truncation, Range::positive(), "kpc",
+        "Where the spheroid ends along its first axis; luminosity is all that lies within."),
+      "5 sigma (Gaussian), 20 effective_radius (Sersic), 40 (Hernquist), 15 (Exponential) or 20 "
+      "(Plummer) scale_radius, concentration (NFW, Cored)"),
     listKey<S>("axis_ratios", &S::axisRatios, axisRange, "",
       "Second and third axis relative to the first (all but Gaussian)."),
     flagKey<S>("tilted", &S::tilted,
@@ -254,6 +279,10 @@ void readSpheroid(const KeyValue& value, SpheroidDescription& out)
       static_cast<SpheroidPreset>(KeyValue(value.file, "preset", *preset).choice(presetNames)));
   }
   readTable(value.file, "[component.spheroid]", table, spheroidKeys(), out);
+  if (std::isinf(out.truncation))
+  {
+    out.truncation = usualTruncation(out);
+  }
   checkSpheroid(value, out);
 }
 } // namespace galaxy

@@ -74,6 +74,10 @@ Keys<T> makeKeys()
   for (const NumberRow<T>& row : numbers)
   {
     keys.push_back(row.key());
+    if (row.name == std::string("children"))
+    {
+      keys.back().byDefault = "15 (Tapered), 1 (the others)";
+    }
   }
   return keys;
 }
@@ -94,6 +98,10 @@ void readThickness(const KeyValue& value, T& out)
 {
   const toml::table& table = value.table();
   readTable(value.file, "[component.thickness]", table, thicknessKeys(), out);
+  if (!table.contains("children"))
+  {
+    out.children = usualChildren(out.model);
+  }
   if (!out.profileFile.empty() && out.model != ThicknessModel::Flared)
   {
     KeyValue(value.file, "profile_table", *table.get("profile_table")).needs("model = \"Flared\"");

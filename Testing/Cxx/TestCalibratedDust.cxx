@@ -309,7 +309,8 @@ TEST(CalibratedDust, CloudsKeepTheWholeCrossSection)
       {
         dust.dust.noise = kind;
         dust.dust.contrast = contrast;
-        EXPECT_NEAR(totalOf(allSeenFromEarth(buildGalaxy(input))) / smoothTotal, 1, 1e-5) << contrast;
+        EXPECT_NEAR(totalOf(allSeenFromEarth(buildGalaxy(input))) / smoothTotal, 1, 1e-5)
+          << contrast;
       }
     }
   }

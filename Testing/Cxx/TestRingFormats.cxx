@@ -227,6 +227,23 @@ TEST(RingFormats, DiskFitWarps)
     parseRingTable(replaced(diskFit, "warp: T", "warp: F"), "x").rings[2].inclination, 60, 1e-9);
 }
 
+TEST(RingFormats, DiskFitsInclinationIsTheFilesOwn)
+{
+  // Of eps = 0.50 it would be 60.
+  const std::string text = replaced(diskFit, "disk eps:   0.50 +/-  0.02\n",
+    "disk eps:   0.50 +/-  0.02\ndisk incl (deg):   60.17 +/-  1.52\n");
+  const auto flat = parseRingTable(replaced(text, "warp: T", "warp: F"), "x");
+  for (const Ring& ring : flat.rings)
+  {
+    EXPECT_NEAR(ring.inclination, 60.17, 1e-9);
+  }
+  const auto warped = parseRingTable(text, "x");
+  const double eps = 1 - std::cos(60.17 * 3.14159265358979323846 / 180);
+  EXPECT_NEAR(warped.rings.front().inclination, 60.17, 1e-9);
+  EXPECT_NEAR(std::cos(warped.rings.back().inclination * 3.14159265358979323846 / 180),
+    1 - (eps - 0.40), 1e-9);
+}
+
 TEST(RingFormats, DiskFitNeedsAPixelScale)
 {
   const std::string without = replaced(diskFit, "pixscale  2.00 arcsec/pix", "");
@@ -333,9 +350,10 @@ TEST(RingFormats, RealRotcurBaroloAndDiskFitFiles)
   ASSERT_EQ(warp.rings.size(), 25u);
   EXPECT_EQ(warp.rings[1].rotationVelocity, 117.66);
   EXPECT_EQ(warp.rings[0].positionAngle, 32.93);
-  EXPECT_NEAR(warp.rings[0].inclination, std::acos(1 - 0.52) * 180 / M_PI, 1e-9);
-  // eps = 0.52 - 2.37 at the last ring: the axes have changed places.
-  EXPECT_NEAR(warp.rings[24].inclination, std::acos(1 / 2.85) * 180 / M_PI, 1e-9);
+  EXPECT_NEAR(warp.rings[0].inclination, 61.37, 1e-9) << "eps is rounded to 0.52, of 61.31 degrees";
+  // eps - 2.37 < 0 at the last ring: the axes have changed places.
+  const double across = 1 / (std::cos(61.37 * M_PI / 180) + 2.37);
+  EXPECT_NEAR(warp.rings[24].inclination, std::acos(across) * 180 / M_PI, 1e-9);
   EXPECT_NEAR(warp.rings[24].positionAngle, 32.93 + 10.28 + 90, 1e-9);
 }
 } // namespace galaxy

@@ -349,4 +349,59 @@ TEST(RingGeometry, UnusableTablesAreRefused)
   EXPECT_THROW(TiltedDisk(table, 1), Error);
   EXPECT_THROW(TiltedDisk(flatDisk(10), 0), Error);
 }
+
+TEST(RingGeometry, RingsThatAllButTouchGiveNumbers)
+{
+  const auto expectFinite = [](const std::vector<Ring>& rings) {
+    RingTable table;
+    table.rings = rings;
+    for (const auto interpolation : { RingInterpolation::LinearAngles, RingInterpolation::Slerp })
+    {
+      const TiltedDisk disk(table, 4.9, SpinSense::FromCode, interpolation);
+      std::vector<double> radii = { 0, 1e-320, 1e-300, 1e-12, 0.5, 20 };
+      for (const double knot : disk.knots())
+      {
+        radii.insert(radii.end(), { knot, std::nextafter(knot, 0), std::nextafter(knot, 99) });
+      }
+      for (const double r : radii)
+      {
+        const RingFrame f = disk.frame(r);
+        for (const Vec3& axis : { f.a, f.b, f.n })
+        {
+          EXPECT_NEAR(length(axis), 1, 1e-9) << r;
+        }
+        EXPECT_NEAR(dot(f.a, f.b), 0, 1e-9) << r;
+        for (const double number : { f.bendA, f.bendB, f.rotation, f.expansion, disk.scaleHeight(r),
+               disk.systemicVelocity(r), disk.areaElement(r, 1), disk.skyJacobian(r, 1),
+               disk.fastestRotation(r), length(disk.velocity(r, 2)),
+               length(disk.position(r, 2, 0.1)) })
+        {
+          EXPECT_TRUE(std::isfinite(number)) << r;
+        }
+        EXPECT_FALSE(std::isnan(normalFocalHeight(f)));
+      }
+    }
+  };
+  const Ring one = ring(0, 100, 90, 40, 30), other = ring(0, 200, 2, -1, 1e-300);
+  for (const double inner : { 0.0, 1e-310, 1e-9, 1.0, 40.0, 647999.0 })
+  {
+    for (const double apart : { 0.0, 5e-324, 1e-300, 1e-200, 1e-100, 1e-16, 1e-10, 1e-6 })
+    {
+      std::vector<Ring> rings = { one, other, one, other };
+      for (std::size_t k = 0; k < rings.size(); ++k)
+      {
+        rings[k].radius = inner + (k % 2 == 0 ? 0 : apart) + (k < 2 ? 0 : 1);
+      }
+      expectFinite(rings);
+    }
+  }
+  // From one side to the other, by way of face-on and edge-on.
+  for (const double apart : { 1e-300, 1e-10, 1.0 })
+  {
+    expectFinite({ ring(0, 0, 0, 0, 0), ring(apart, 1, 0, 180, 180) });
+    expectFinite({ ring(0, 0, 0, 90, 0), ring(apart, 1, 0, -90, 360) });
+    expectFinite({ ring(apart, 1, 0, 40, 30), ring(2 * apart, 1, 0, 140, 210) });
+  }
+}
+
 } // namespace galaxy

@@ -233,6 +233,23 @@ TEST(SpheroidKeys, PresetsAreOverriddenInAnyOrder)
   }
 }
 
+TEST(SpheroidKeys, EveryProfileEndsSomewhere)
+{
+  EXPECT_EQ(parsed("sigma = [2, 1, 1]\n").truncation, 10);
+  EXPECT_EQ(parsed("profile = \"Sersic\"\neffective_radius = 0.5\n").truncation, 10);
+  EXPECT_EQ(parsed("profile = \"Hernquist\"\nscale_radius = 0.5\n").truncation, 20);
+  EXPECT_EQ(parsed("profile = \"Exponential\"\nscale_radius = 2\n").truncation, 30);
+  EXPECT_EQ(parsed("profile = \"Plummer\"\nscale_radius = 2\n").truncation, 40);
+  EXPECT_EQ(parsed("profile = \"Plummer\"\ntruncation = 7\n").truncation, 7);
+  EXPECT_EQ(parsed("preset = \"StellarHalo\"\n").truncation, 100);
+  EXPECT_EQ(parsed("preset = \"Elliptical\"\n").truncation, 100);
+  for (const char* profile : { "NFW", "Cored" })
+  {
+    const SpheroidDescription s = parsed("profile = \"" + std::string(profile) + "\"\n");
+    EXPECT_TRUE(std::isinf(s.truncation)) << "its concentration ends it";
+  }
+}
+
 TEST(SpheroidKeys, ListsStandBesideTheDescription)
 {
   const TextFile file("x,y,z\n1,2,3\n");

@@ -51,6 +51,16 @@ TEST(ThicknessProfile, TaperedDiscTapers)
   EXPECT_NEAR(ThicknessProfile(thickness, disk).scaleHeight(8), 0.3 * std::exp(-2), 1e-12);
 }
 
+TEST(ThicknessProfile, TaperedChildrenAreSeenToTaperUnasked)
+{
+  const TiltedDisk disk(flatDisk(20), m83Distance);
+  const ThicknessDescription tapered = thicknessOf("model = \"Tapered\"\nscale_length = 4");
+  EXPECT_NEAR(ThicknessProfile(tapered, disk).meanChildren(0, 1), 15, 1e-12);
+  EXPECT_NEAR(ThicknessProfile(tapered, disk).meanChildren(8, 1), 15 * std::exp(-2), 1e-12);
+  EXPECT_EQ(thicknessOf("model = \"Flared\"").children, 1);
+  EXPECT_EQ(thicknessOf("model = \"Tapered\"\nchildren = 1").children, 1);
+}
+
 TEST(ThicknessProfile, LiteralReadingFallsWithTheScaleHeightAndIsAsThick)
 {
   const TiltedDisk disk(flatDisk(20), m83Distance);

@@ -97,6 +97,20 @@ class Filters(gt.ProxyTest):
             height = 0.8 / np.sqrt(3)
             self.assertAlmostEqual(points[:, 2].std() / height, 1, delta=0.02, msg=reading)
 
+    def test_the_tapered_model_tapers_unasked(self):
+        points, _, _ = self.thick(Model="Tapered", Sigma=0)
+        r, seeds = (np.hypot(*gt.points_of(proxy)[:, :2].T) if proxy else np.hypot(*points[:, :2].T)
+                    for proxy in (None, self.seeds))
+        for inner, outer in ((0, 1), (2, 3), (5, 6)):
+            children = np.sum((r >= inner) & (r < outer)) / np.sum((seeds >= inner) & (seeds < outer))
+            middle = seeds[(seeds >= inner) & (seeds < outer)]
+            expected = np.maximum(1, 15 * np.exp(-middle / 2.5)).mean()
+            self.assertAlmostEqual(children / expected, 1, delta=0.05)
+        thin, _, _ = self.thick(Model="Tapered", Sigma=0, TaperThickness=1)
+        r = np.hypot(*thin[:, :2].T)
+        heights = [thin[(r >= low) & (r < low + 0.5), 2].std() for low in (0, 5)]
+        self.assertAlmostEqual(heights[1] / heights[0], np.exp(-5 / 2.5), delta=0.02)
+
     def test_flared_and_hydrostatic_gas_is_thicker_outside(self):
         for model in ("Flared", "Hydrostatic"):
             points, _, _ = self.thick(Model=model, Sigma=0.01, Children=2)

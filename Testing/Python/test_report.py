@@ -106,6 +106,25 @@ class Report(unittest.TestCase):
         self.assertIn("image r: background ", words)
         self.assertIn(", clip 0 to 500 over the background", words)
 
+    def test_a_spheroid_says_what_it_took_and_where_it_ends(self):
+        stars = component("'stars'", layers="[{ image = 'r', clip = [0, 1100], threshold = 0.006 }]")
+        bulge = ("[[component]]\nname = 'bulge'\ntype = 'Spheroid'\nparticles = 20000\n"
+                 "[component.spheroid]\nsigma = [{0}, {0}, {0}]\nlight_from = 'stars'\n"
+                 "light_fraction = {1}\n")
+        with gt.Messages() as messages:
+            report, words = report_of(stars + bulge.format(1, 0.15))
+        self.assertEqual(messages.text, "")
+        whole = report[0]["light"] + report[1]["light"]
+        self.assertAlmostEqual(report[1]["light"] / whole, 0.15, delta=0.001)
+        self.assertEqual(report[1]["end"], 5)
+        self.assertIn("ends at 5.0", words)
+        with gt.Messages() as messages:
+            report, words = report_of(stars + bulge.format(0.01, 0.9))
+        self.assertLess(report[1]["light"], 0.5 * report[1]["light_asked"])
+        self.assertIn("light_fraction", messages.text)
+        self.assertIn("bulge", messages.text)
+        self.assertIn(" % of the light that it is to take", words)
+
     def test_it_is_json_whatever_the_names(self):
         names = ['quo"te', "back\\slash", "\\u0041", "tab\tline\nfeed\x01\x1f\x7f\x9b",
                  "é✓\U0001f30c\ufffe", "</a>&", "{}[],:'", "null\0 and more"]

@@ -17,7 +17,7 @@ class Spheroid(gt.ProxyTest):
         for profile, expected in half.items():
             spheroid = simple.Spheroid(
                 Profile=profile, NumberOfParticles=30000, Luminosity=7.5, Sigma=[0.5, 0.5, 0.5],
-                EffectiveRadius=0.5, ScaleRadius=0.5, SersicIndex=4)
+                EffectiveRadius=0.5, ScaleRadius=0.5, SersicIndex=4, Truncation=1e5)
             spheroid.UpdatePipeline()
             r = np.linalg.norm(gt.points_of(spheroid), axis=1)
             self.assertEqual(len(r), 30000, profile)
@@ -32,9 +32,27 @@ class Spheroid(gt.ProxyTest):
             self.assertGreater(r.max(), 0.65, profile)
             self.assertAlmostEqual(gt.light_of(spheroid).sum() / 7.5, 1, delta=1e-5, msg=profile)
 
+    def test_every_profile_ends_unasked(self):
+        ends = {"Gaussian": 5, "Sersic": 20, "Hernquist": 40, "Exponential": 15, "Plummer": 20,
+                "NFW": 10, "Cored": 10}
+        for profile, end in ends.items():
+            spheroid = simple.Spheroid(
+                Profile=profile, NumberOfParticles=300000, Luminosity=7.5, Sigma=[0.5, 0.5, 0.5],
+                EffectiveRadius=0.5, ScaleRadius=0.5, SersicIndex=4)
+            spheroid.UpdatePipeline()
+            farthest = np.linalg.norm(gt.points_of(spheroid), axis=1).max()
+            self.assertLess(farthest, 0.5 * end * (1 + 1e-5), profile)
+            self.assertGreater(farthest, 0.5 * end * 0.8, profile)
+            self.assertAlmostEqual(gt.light_of(spheroid).sum() / 7.5, 1, delta=1e-5, msg=profile)
+        # Seen near its middle, a sphere that ends is as bright as one that does not.
+        light = [gt.light_of(self.spheroid(Profile="Plummer", ScaleRadius=0.5, **end)).sum()
+                 for end in ({}, {"Truncation": 1e5})]
+        self.assertAlmostEqual(light[0] / light[1], (1 + 20**-2) ** -1.5, delta=1e-4)
+
     def test_sersic_half_light_radius(self):
         for index in (1, 2, 4):
             spheroid = simple.Spheroid(Profile="Sersic", SersicIndex=index, EffectiveRadius=0.8,
+                                       Truncation=1e5,
                                        NumberOfParticles=200000)
             spheroid.UpdatePipeline()
             projected = np.median(np.hypot(*gt.points_of(spheroid)[:, :2].T))
