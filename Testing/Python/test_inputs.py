@@ -221,6 +221,37 @@ class Inputs(unittest.TestCase):
         for part in parts:
             self.assertIsNone(part.GetPointData().GetArray("SmoothingLength"))
 
+    def written(self, data, name):
+        """The report, and what was said, of writing this file."""
+        writer = simple.ParticleWriter(Input=source_of(data))
+        writer.FileName = os.path.join(gt.output_folder(), name)
+        with gt.Messages() as messages:
+            writer.UpdatePipeline()
+        writer.UpdatePropertyInformation()
+        return str(writer.Report), messages.text, writer.FileName
+
+    def test_the_writer_says_what_it_makes_up(self):
+        made_up = ("velocities of 0 km/s", "smoothing lengths of 0 kpc", "masses of 1",
+                   "component 0")
+        report, message, path = self.written(fill(vtkPolyData()), "bare.hdf5")
+        self.assertIn(f"{COUNT} particles written; made up: ", report)
+        for words in made_up:
+            self.assertIn(words, report)
+            self.assertIn(words, message)
+            self.assertIn(words.encode(), open(path, "rb").read())  # in the header's attribute
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, fill(vtkPolyData(), slice(0, 100)))
+        blocks.SetBlock(1, fill(vtkPolyData(), slice(100, None), Intensity=LIGHT))
+        report, _, _ = self.written(blocks, "some.csv")
+        self.assertIn("masses of 1 (no point array Intensity for 100 particles)", report)
+        number = np.zeros(COUNT, np.uint8)
+        velocity = np.zeros((COUNT, 3), np.float32)
+        report, message, path = self.written(
+            whole(Velocity=velocity, Color=COLOR, Component=number), "own.hdf5")
+        self.assertEqual(report, f"{COUNT} particles written")
+        self.assertEqual(message, "")
+        self.assertNotIn(b"MadeUp", open(path, "rb").read())
+
 
 if __name__ == "__main__":
     unittest.main()
