@@ -73,10 +73,13 @@ class Parallel(unittest.TestCase):
     def is_as_of_one(self, several):
         for name in PICTURES:
             self.assertGreater(self.one[name].mean(), 25, name)
-            # ParaView itself rounds what is translucent on each process.
-            limit = 8 if name == "translucent" else 1
-            difference = np.abs(several[name] - self.one[name])
-            self.assertLessEqual(difference.max(), limit, name)
+            difference = np.abs(several[name] - self.one[name]).max(axis=2)
+            # On the rim of the ball, whose depth falls steeply, the last bit of a depth may show;
+            # what is translucent ParaView rounds on each process.
+            most = {"parts": 1, "copies": 1, "translucent": 8}.get(name, 3)
+            self.assertLessEqual(difference.max(), most, name)
+            few = 0.02 if name == "translucent" else 5e-4
+            self.assertLess((difference > 1).mean(), few, name)
             self.assertLess(difference.mean(), 0.05, name)
         self.assertEqual(several.effects, self.one.effects)
         drawn = "[0-9]+ particles drawn"
