@@ -2,6 +2,7 @@
 
 #include "Filters/ParticleData.h"
 #include "Filters/PointArrays.h"
+#include "Readers/Formats/AvailableMemory.h"
 
 #include "vtkFieldData.h"
 
@@ -79,6 +80,9 @@ vtkIdType sizeOf(const Parts& parts)
 template <typename Array, typename Fill>
 vtkSmartPointer<Array> joined(const Parts& parts, const char* name, int channels, Fill fill)
 {
+  // VTK's arrays end the program where there is no memory for them.
+  requireMemory(double(sizeof(typename Array::ValueType)) * channels * double(sizeOf(parts)),
+    "particles", name, "joining them", "use a smaller ParticleScale or show fewer");
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(channels);

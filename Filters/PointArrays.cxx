@@ -1,5 +1,7 @@
 #include "PointArrays.h"
 
+#include "Readers/Formats/AvailableMemory.h"
+
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -29,8 +31,17 @@ void requireChannels(vtkDataArray* array, bool fits, const std::string& wanted)
   }
 }
 
+/// VTK's arrays end the program where there is no memory for them.
+void requireMemoryOfCopy(vtkDataArray* array, int bytesOfTuple)
+{
+  const char* name = array->GetName();
+  requireMemory(double(bytesOfTuple) * double(array->GetNumberOfTuples()), "point array",
+    name ? name : "", "a copy of it", "use a smaller ParticleScale or fewer points");
+}
+
 vtkSmartPointer<vtkFloatArray> asFloats(vtkDataArray* array)
 {
+  requireMemoryOfCopy(array, static_cast<int>(sizeof(float)) * array->GetNumberOfComponents());
   auto floats = vtkSmartPointer<vtkFloatArray>::New();
   floats->DeepCopy(array);
   return floats;
@@ -73,6 +84,7 @@ vtkSmartPointer<vtkUnsignedCharArray> asColors(vtkDataArray* array)
   const int channels = array->GetNumberOfComponents();
   requireChannels(array, channels >= 1 && channels <= 4, "1 to 4");
   const ColorScale scale(array->GetDataType());
+  requireMemoryOfCopy(array, 3);
   auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
   bytes->SetName(array->GetName());
   bytes->SetNumberOfComponents(3);
@@ -95,6 +107,7 @@ vtkSmartPointer<vtkUnsignedCharArray> asColors(vtkDataArray* array)
 
 vtkSmartPointer<vtkUnsignedCharArray> asComponents(vtkDataArray* array)
 {
+  requireMemoryOfCopy(array, 1);
   auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
   bytes->SetName(array->GetName());
   bytes->SetNumberOfTuples(array->GetNumberOfTuples());

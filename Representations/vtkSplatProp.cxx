@@ -56,7 +56,8 @@ double* vtkSplatProp::GetBounds()
   {
     this->BoundsTime = time;
     // With their kernels: a renderer culls what lies outside its frustum, also of a tile.
-    galaxy::boundsOfKernels(this->Particles, *this->Settings, this->Bounds);
+    galaxy::reportErrors(
+      this, [this] { galaxy::boundsOfKernels(this->Particles, *this->Settings, this->Bounds); });
   }
   return this->Bounds;
 }

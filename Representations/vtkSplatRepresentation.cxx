@@ -86,10 +86,12 @@ void vtkSplatRepresentation::OnProgress(vtkObject*, unsigned long, void* fractio
 int vtkSplatRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
-  {
-    return 0;
-  }
+  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo) &&
+    galaxy::reportErrors(this, [&] { this->AnswerView(request, inInfo); });
+}
+
+void vtkSplatRepresentation::AnswerView(vtkInformationRequestKey* request, vtkInformation* inInfo)
+{
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Particles);
@@ -127,7 +129,6 @@ int vtkSplatRepresentation::ProcessViewRequest(
       vtkPVRenderView::SetNextStreamedPiece(inInfo, this, this->Particles);
     }
   }
-  return 1;
 }
 
 vtkPolyData* vtkSplatRepresentation::PlacedParticles(vtkPolyData* delivered)

@@ -85,6 +85,7 @@ private:
   vtkSplatRepresentation(const vtkSplatRepresentation&) = delete;
   void operator=(const vtkSplatRepresentation&) = delete;
 
+  void AnswerView(vtkInformationRequestKey* request, vtkInformation* inInfo);
   /// The delivered particles where they are to be shown; null where they cannot be.
   vtkPolyData* PlacedParticles(vtkPolyData* delivered);
   void OnProgress(vtkObject* prop, unsigned long event, void* fraction);

@@ -152,12 +152,12 @@ TEST_F(TestAvailableMemory, AModelIsRefusedBeforeItIsBuilt)
     return true;
   };
   expectRefusal(errorOf([&] { buildGalaxy(galaxy, options); }),
-    "large.galaxy: many: 300001000 particles: the model takes 7.2 GB of memory, but only ",
+    "large.galaxy: many: 300001000 particles: the model takes 8.4 GB of memory, but only ",
     "; use a smaller ParticleScale");
   options.velocities = true;
   options.particleScale = 0.5;
   expectRefusal(
-    errorOf([&] { buildGalaxy(galaxy, options); }), "large.galaxy: many: 150000500 ", "5.4 GB");
+    errorOf([&] { buildGalaxy(galaxy, options); }), "large.galaxy: many: 150000500 ", "6 GB");
 }
 
 TEST_F(TestAvailableMemory, AGroupIsRefusedBeforeItIsBuilt)
@@ -173,7 +173,7 @@ TEST_F(TestAvailableMemory, AGroupIsRefusedBeforeItIsBuilt)
   group.members.resize(2);
   const AddressSpaceLimit limit(600 * MiB);
   expectRefusal(errorOf([&] { buildGroup(group, places, {}); }),
-    "large.galaxy: many: 20002000 particles: the model takes 960 MB", "; use a smaller");
+    "large.galaxy: many: 20002000 particles: the model takes 1.12 GB", "; use a smaller");
 }
 
 TEST_F(TestAvailableMemory, APictureIsRefusedBeforeItIsDrawn)

@@ -53,7 +53,7 @@ class Memory(unittest.TestCase):
 
     def test_models(self):
         self.refused(lambda: simple.Spheroid(NumberOfParticles=2000000000),
-                     "Spheroid: spheroid: 2000000000 particles", "48 GB", "use a smaller")
+                     "Spheroid: spheroid: 2000000000 particles", "56 GB", "use a smaller")
         reader = simple.GalaxyReader(FileName=gt.M83)
         reader.UpdatePipeline()
         model = simple.GalaxyModel(Input=reader, ParticleScale=1000)
