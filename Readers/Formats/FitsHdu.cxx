@@ -128,7 +128,9 @@ void requireNumbers(const FitsBytes& bytes, const FitsHdu& hdu)
          "ZSCALE", "ZZERO", "ZDITHER0", "ZVAL1", "ZVAL2", "ZVAL3", "ZPCOUNT", "ZGCOUNT" })
   {
     const std::optional<std::string> text = hdu.header.text(keyword);
-    if (text && (text->size() > longestNumber || !hdu.header.number(keyword)))
+    if (text &&
+      (text->size() > longestNumber || hdu.header.isUnclosed(keyword) ||
+        !hdu.header.number(keyword)))
     {
       throw DamagedFile(bytes.file, nameOf(hdu.number) + ": " + keyword, "not a number");
     }
