@@ -103,7 +103,7 @@ const std::vector<Quantity>& ringQuantities()
       { "vc", "v_c", "vcirc", "v_circ", "circular_velocity", "v", "vobs", "v_obs", "vt", "v_t",
         "vphi", "v_phi" } },
     { "Z0", &Ring::scaleHeight, false, Dimension::Length,
-      { "z0", "z_0", "scale_height", "scaleheight", "hz", "h_z" }, {} },
+      { "z0", "z_0", "scale_height", "scaleheight", "hz", "h_z" }, { "height", "heights" } },
     { "i", &Ring::inclination, true, Dimension::Angle,
       { "inc", "incl", "inclin", "inclination", "inclination_angle" }, { "i" } },
     { "PA", &Ring::positionAngle, true, Dimension::Angle,
@@ -151,6 +151,7 @@ TableWords ringWords(const RingOptions& options)
     const Quantity* quantity = quantityOf(name);
     return quantity != nullptr ? quantity->symbol : contains(galaxies, name) ? "name" : "";
   };
+  words.lengths = { "r", "Z0" };
   words.unnamed = { "r", "vrot", "Z0", "i", "PA" };
   return words;
 }

@@ -13,31 +13,35 @@ namespace
 {
 using Units = std::map<std::string, double>;
 
-const Units angularLengths = { { "arcsec", 1 }, { "arcs", 1 }, { "arcsec.", 1 }, { "arcsecs", 1 },
-  { "asec", 1 }, { "arcsecond", 1 }, { "arcseconds", 1 }, { "\"", 1 }, { "arcmin", 60 },
-  { "arcm", 60 }, { "arcmins", 60 }, { "arcminute", 60 }, { "arcminutes", 60 }, { "'", 60 },
-  { "deg", 3600 }, { "degree", 3600 }, { "degrees", 3600 }, { "\xc2\xb0", 3600 }, { "mas", 1e-3 },
+const Units angularLengths = { { "arcsec", 1 }, { "arcs", 1 }, { "arcsecs", 1 }, { "asec", 1 },
+  { "arcsecond", 1 }, { "arcseconds", 1 }, { "\"", 1 }, { "arcmin", 60 }, { "arcm", 60 },
+  { "arcmins", 60 }, { "arcminute", 60 }, { "arcminutes", 60 }, { "'", 60 }, { "deg", 3600 },
+  { "degree", 3600 }, { "degrees", 3600 }, { "\xc2\xb0", 3600 }, { "mas", 1e-3 },
   { "rad", arcsecPerRadian }, { "radian", arcsecPerRadian }, { "radians", arcsecPerRadian },
   { "arc-sec", 1 }, { "arc-min", 60 }, { "amin", 60 } };
 const Units physicalLengths = { { "pc", 1e-3 }, { "parsec", 1e-3 }, { "parsecs", 1e-3 },
   { "kpc", 1 }, { "kiloparsec", 1 }, { "kiloparsecs", 1 }, { "mpc", 1e3 } }; // in kpc
-const Units pixels = { { "pix", 1 }, { "pixel", 1 }, { "pix.", 1 }, { "pixels", 1 }, { "px", 1 },
-  { "grid", 1 } };
-const Units velocities = { { "km/s", 1 }, { "km/sec", 1 }, { "kms", 1 }, { "kms-1", 1 },
-  { "kms^-1", 1 }, { "kms**-1", 1 }, { "km.s-1", 1 }, { "km.s^-1", 1 }, { "km*s-1", 1 },
-  { "km*s^-1", 1 }, { "km*s**-1", 1 }, { "km/second", 1 }, { "km/s.", 1 }, { "km_s-1", 1 },
-  { "kmps", 1 }, { "m/sec", 1e-3 }, { "m/s", 1e-3 }, { "ms-1", 1e-3 }, { "ms^-1", 1e-3 },
-  { "m.s-1", 1e-3 } };
-const Units angles = { { "deg", 1 }, { "deg.", 1 }, { "degree", 1 }, { "degrees", 1 },
-  { "degr", 1 }, { "degs", 1 }, { "\xc2\xb0", 1 }, { "\xb0", 1 }, { "rad", arcsecPerRadian / 3600 },
+const Units pixels = { { "pix", 1 }, { "pixel", 1 }, { "pixels", 1 }, { "px", 1 }, { "grid", 1 } };
+const Units velocities = { { "km/s", 1 }, { "km/sec", 1 }, { "km/second", 1 }, { "kms", 1 },
+  { "kmps", 1 }, { "kms-1", 1 }, { "km_s-1", 1 }, { "m/s", 1e-3 }, { "m/sec", 1e-3 },
+  { "ms-1", 1e-3 } };
+const Units angles = { { "deg", 1 }, { "degree", 1 }, { "degrees", 1 }, { "degr", 1 },
+  { "degs", 1 }, { "circ", 1 }, { "\xc2\xb0", 1 }, { "\xb0", 1 }, { "rad", arcsecPerRadian / 3600 },
   { "radian", arcsecPerRadian / 3600 }, { "radians", arcsecPerRadian / 3600 } };
 
-/// Small letters without blanks and LaTeX's marks: km s$^{-1}$ as kms^-1.
+/// Small letters without blanks, points and LaTeX's marks: km s$^{-1}$ as kms-1.
 std::string plain(const std::string& unit)
 {
   std::string name = lowered(unit);
+  for (const char* command : { "\\mathrm", "\\rm", "\\text", "\\," })
+  {
+    for (std::size_t at; (at = name.find(command)) != std::string::npos;)
+    {
+      name.erase(at, std::char_traits<char>::length(command));
+    }
+  }
   name.erase(std::remove_if(name.begin(), name.end(),
-               [](char c) { return std::string(" ${}~\\").find(c) != std::string::npos; }),
+               [](char c) { return std::string(" ${}~\\.*^").find(c) != std::string::npos; }),
     name.end());
   return name;
 }

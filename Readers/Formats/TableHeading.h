@@ -43,6 +43,10 @@ void readEcsvUnits(const std::vector<HeadLine>& head, TextTable& table);
 /// none.
 bool readDescribedBytes(const std::vector<TextLine>& lines, TextTable& table);
 
+/// A line "r: radius in kpc" or "Z0 = height [pc]" as a column with its unit; false where it is
+/// none.
+bool takeNamedColumn(const std::string& line, const TableWords& words, TableColumn& column);
+
 /// The text behind a label such as "Columns:", or all of it.
 std::string behindLabel(
   const std::string& text, const std::vector<std::string>& labels, bool* found = nullptr);

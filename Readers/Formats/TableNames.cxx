@@ -148,6 +148,23 @@ Names listedHeading(
   return next == count + 1 && count > 1 ? names : Names();
 }
 
+/// Comments that say what each column is, one a line: "r: radius in kpc".
+Names namedHeading(const TableHead& head, int& lineNumber)
+{
+  Names names;
+  for (const HeadLine& line : head.lines)
+  {
+    TableColumn column;
+    if (line.commented && takeNamedColumn(line.text, head.words, column))
+    {
+      lineNumber = names.known == 0 ? line.number : lineNumber;
+      names.columns.push_back(column);
+      ++names.known;
+    }
+  }
+  return names.fits(head.count) ? names : Names();
+}
+
 /// A line that names columns, but more or fewer than there are, or one in the open that names
 /// none.
 void failAtMisfit(const TableHead& head, const std::string& file)
@@ -203,6 +220,24 @@ std::string behindLabel(
   return text;
 }
 
+bool takeNamedColumn(const std::string& line, const TableWords& words, TableColumn& column)
+{
+  const std::size_t mark = line.find_first_of(":=");
+  if (mark == std::string::npos)
+  {
+    return false;
+  }
+  column = columnOf(line.substr(0, mark), words);
+  const std::string rest = trimmed(line.substr(mark + 1));
+  const std::size_t comma = rest.rfind(',');
+  for (const std::string& unit : { rest, columnOf(rest, words).unit,
+         comma == std::string::npos ? "" : trimmed(rest.substr(comma + 1)) })
+  {
+    column.unit = column.unit.empty() && isAnyUnit(unit) ? unit : column.unit;
+  }
+  return words.isName(plainName(column.name));
+}
+
 void findNames(const TableHead& head, TextTable& table)
 {
   Names best;
@@ -212,18 +247,24 @@ void findNames(const TableHead& head, TextTable& table)
     const Names names = headingIn(line, head.count, head.separator, head.words);
     const bool may = line.commented ? isHeading(names, head.count, head.words)
                                     : names.fits(head.count) && !areUnits(head, line);
-    // Of equals the first of those in the open, the last of comments; names in the open are
-    // those of the columns wherever any is known.
-    const bool equal = names.known == best.known;
-    if (may &&
-      (at == nullptr || names.known > best.known || (equal && line.commented && at->commented)))
+    // Names in the open rather than a comment's; of equals the first of those in the open, the last
+    // of comments.
+    const bool both = at != nullptr && at->commented != line.commented;
+    const bool better = both && std::max(names.known, best.known) > 1
+      ? names.known > 1 && (!line.commented || best.known < 2)
+      : names.known > best.known || (names.known == best.known && line.commented && !both);
+    if (may && (at == nullptr || better))
     {
       best = names;
       at = &line;
     }
   }
   int listLine = 0;
-  const Names listed = listedHeading(head.lines, head.count, head.words, listLine);
+  Names listed = listedHeading(head.lines, head.count, head.words, listLine);
+  if (listed.known == 0 && best.known == 0)
+  {
+    listed = namedHeading(head, listLine);
+  }
   if (listed.known > 1 && listed.known >= best.known)
   {
     best = listed;

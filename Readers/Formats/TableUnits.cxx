@@ -132,7 +132,10 @@ public:
     }
     for (std::size_t k = 0; !found && k < this->head.lines.size(); ++k)
     {
-      this->readRemark(this->head.lines[k]);
+      if (this->head.lines[k].commented)
+      {
+        this->readRemark(this->head.lines[k]);
+      }
     }
   }
 
@@ -211,17 +214,21 @@ private:
     this->table.unitLine = line.number;
   }
 
-  /// "radii in kpc"
+  /// "radii in kpc", "Z0: height [pc]", "all lengths in kpc"
   void readRemark(const HeadLine& line)
   {
     static const std::vector<std::string> fill = { "is", "are", "in", "given", "measured", "units",
       "unit", "of", ":", "=" };
+    TableColumn named;
+    if (takeNamedColumn(line.text, this->head.words, named))
+    {
+      this->assign(this->head.words.meaning(plainName(named.name)), named.unit);
+    }
     const std::vector<std::string> cells = splitCells(line.text);
     constexpr std::size_t longest = 100;
-    for (std::size_t k = 0; line.commented && k < std::min(cells.size(), longest); ++k)
+    for (std::size_t k = 0; k < std::min(cells.size(), longest); ++k)
     {
       const TableColumn own = columnOf(cells[k], this->head.words);
-      const std::string meaning = this->head.words.meaning(plainName(own.name));
       std::size_t next = k + 1;
       while (next < cells.size() &&
         std::find(fill.begin(), fill.end(), lowered(cells[next])) != fill.end())
@@ -232,13 +239,26 @@ private:
         next < cells.size() && (next > k + 1 || cells[next][0] == '(' || cells[next][0] == '[');
       std::string unit = !own.unit.empty() ? own.unit : says ? withoutBrackets(cells[next]) : "";
       unit.erase(std::min(unit.find_last_not_of(".;:") + 1, unit.size()));
-      for (TableColumn& column : this->table.columns)
+      const std::string word = plainName(own.name);
+      const bool lengths = word == "lengths" || word == "distances" || word == "sizes";
+      for (const std::string& meaning : lengths
+          ? this->head.words.lengths
+          : std::vector<std::string>{ this->head.words.meaning(word) })
       {
-        if (!meaning.empty() && column.unit.empty() && isAnyUnit(unit) &&
-          meaning == this->head.words.meaning(plainName(column.name)))
-        {
-          column.unit = unit;
-        }
+        this->assign(meaning, unit);
+      }
+    }
+  }
+
+  /// To the columns of a meaning that have none.
+  void assign(const std::string& meaning, const std::string& unit)
+  {
+    for (TableColumn& column : this->table.columns)
+    {
+      if (!meaning.empty() && column.unit.empty() && isAnyUnit(unit) &&
+        meaning == this->head.words.meaning(plainName(column.name)))
+      {
+        column.unit = unit;
       }
     }
   }

@@ -43,6 +43,10 @@ HeadLine classified(const TextLine& line)
     return { line.number, true, text };
   }
   std::string body = trimmed(text.substr(0, commentStart(text)));
+  if (body.find('&') != std::string::npos)
+  {
+    body.erase(std::remove(body.begin(), body.end(), '$'), body.end());
+  }
   const std::size_t end = body.find("\\\\");
   return { line.number, false, trimmed(body.substr(0, end)) };
 }

@@ -31,6 +31,8 @@ struct TableWords
   std::function<std::string(const std::string& name)> meaning;
   /// What the columns are where no heading names them and there are as many.
   std::vector<std::string> unnamed;
+  /// The meanings that are lengths: "all lengths in kpc" is said of them.
+  std::vector<std::string> lengths;
 
   bool isName(const std::string& name) const { return !this->meaning(name).empty(); }
 };

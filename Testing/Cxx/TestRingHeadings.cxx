@@ -39,7 +39,7 @@ TEST(RingHeadings, ACommentThatNamesTheColumnsCounts)
   expectRefusal("# r Speed Z0 i PA\n" + twoRows(), "line 1: the heading must name a column vrot");
   expectRefusal("# r Speed Z0 i PA\n" + twoRows(), "not known here are 'Speed'");
   expectRefusal(
-    "# Radius Speed Height Tilt Angle\n" + twoRows(), "'Speed', 'Height', 'Tilt', 'Angle'");
+    "# Radius Speed Scale Tilt Angle\n" + twoRows(), "'Speed', 'Scale', 'Tilt', 'Angle'");
   for (const char* odd : { "q", "b/a", "cosi", "ellipticity", "log(i)" })
   {
     expectRefusal("# r vrot Z0 " + std::string(odd) + " PA\n" + twoRows(), quoted(odd));
@@ -80,6 +80,14 @@ TEST(RingHeadings, ColumnsMayBeListed)
   }
 }
 
+TEST(RingHeadings, NamesInTheOpenAreTheTablesOwn)
+{
+  expectTwoRings("# r vrot i PA Z0\nr vrot Z0 i PA\n" + twoRows());
+  expectTwoRings("# r: radius\n# vrot: rotation velocity\n# PA: position angle\n# i: inclination\n"
+                 "# Z0: scale height\n" +
+    turned);
+}
+
 TEST(RingHeadings, UnitsHaveALineOfTheirOwn)
 {
   const std::string names = "# r vrot Z0 i PA\n";
@@ -92,6 +100,7 @@ TEST(RingHeadings, UnitsHaveALineOfTheirOwn)
       names.substr(2) + "kpc km/s kpc deg deg\n", "kpc km/s kpc deg deg\n" + names.substr(2),
       std::string("# r vrot Z0 i PA (kpc, km/s, kpc, deg, deg)\n"),
       "# radii in kpc, Z0 in kpc\n" + names, std::string("# r is in kpc\n# Z0 [kpc]\n"),
+      "# All lengths in kpc\n" + names, "# r: radius in kpc\n# Z0 = height (kpc)\n" + names,
       std::string("# r/kpc vrot/(km/s) Z0/kpc i/deg PA/deg\n") })
   {
     expectTwoRings(head + twoRows(), options);
