@@ -308,3 +308,26 @@ TEST_F(FitsFile, BrokenGzipIsNeverHalfAnImage)
   std::filesystem::resize_file(packed, size / 2);
   EXPECT_TRUE(contains(messageOf(packed), "truncated")) << messageOf(packed);
 }
+
+TEST_F(FitsFile, UnpackingTellsItsProgressAndEnds)
+{
+  const std::string plain = this->write("large.fits", [](fitsfile* f, int* status) {
+    std::vector<double> values(1000 * 600);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = std::sin(static_cast<double>(i));
+    }
+    addImage(f, DOUBLE_IMG, values, status, { 1000, 600 });
+  });
+  ASSERT_EQ(std::system(("gzip -1 '" + plain + "'").c_str()), 0);
+  std::vector<double> fractions;
+  readFitsImage(plain + ".gz", {}, [&fractions](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1);
+  EXPECT_GT(std::count_if(fractions.begin(), fractions.end(), [](double f) { return f < 0.5; }), 2);
+  EXPECT_THROW(readFitsImage(plain + ".gz", {}, [](double fraction) { return fraction < 0.3; }),
+    galaxy::Aborted);
+}
