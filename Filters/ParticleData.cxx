@@ -238,6 +238,16 @@ std::string describe(const RenderStatistics& statistics)
     text << "; thickest particle of optical depth " << statistics.thickest
          << " (Sorted may be off by half of that where it overlaps light)";
   }
+  if (statistics.raySums > 0)
+  {
+    // Every sum takes some nanoseconds of one core.
+    text << "; " << statistics.raySums << " sums along rays";
+    if (statistics.raySums > 1e9)
+    {
+      text << ", a second of a core for each 1e8 or so: fewer Slices, a smaller picture or larger "
+              "absorbers cost less";
+    }
+  }
   if (statistics.coarse)
   {
     text << "; " << statistics.coarse << " tiles had too little room for so many slices";

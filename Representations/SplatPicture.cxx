@@ -68,7 +68,7 @@ ErrorBound withHeadroom(const ErrorBound& unseen)
 double relativeExposure(const std::vector<SplatPart>& parts, std::size_t k)
 {
   const double first = parts.front().exposure;
-  return k == 0 || first == parts[k].exposure ? 1 : parts[k].exposure / std::max(first, 1e-30);
+  return k == 0 || first == parts[k].exposure ? 1 : parts[k].exposure / std::max(first, 1e-300);
 }
 } // namespace
 

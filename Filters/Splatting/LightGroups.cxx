@@ -54,6 +54,7 @@ RenderStatistics statisticsOf(const std::vector<ScaledImage>& parts)
     sum.bound.light += mostOf(parts[k].second) * part.bound.light;
     sum.bound.share = std::max(sum.bound.share, part.bound.share);
     sum.coarse = std::max(sum.coarse, part.coarse);
+    sum.raySums += part.raySums;
   }
   sum.culled = all - sum.drawn;
   return sum;

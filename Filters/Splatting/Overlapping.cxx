@@ -1,329 +1,114 @@
 #include "Filters/Model/ParallelFor.h"
-#include "Filters/Splatting/FootprintShare.h"
-#include "Filters/Splatting/GaussianKernel.h"
-#include "Filters/Splatting/OpticalModel.h"
 #include "Filters/Splatting/Picture.h"
+#include "Filters/Splatting/TileSlicer.h"
 #include "Filters/Splatting/Tiles.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <limits>
-#include <memory>
+#include <numeric>
 #include <omp.h>
 
 namespace galaxy
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-/// A Gaussian's part beyond so many sigma is left out along the ray: erfc(4) = 2e-8.
-constexpr double reach = 4;
-constexpr int mostSlices = 4096;
-
-/// A splat with what the slices need.
-struct Ball
-{
-  double x, y;     ///< centre, pixels from the tile's corner
-  double h;        ///< pixels
-  double distance; ///< from the eye (parallel: depth), kpc
-  double sigma;    ///< along the ray, kpc
-  double e[3], t[3];
-  std::shared_ptr<const NearParticle> near; ///< then x, y and h mean nothing
-};
-
-/// The direction of the ray through a pixel's middle, as (tan x, tan y, 1), of no length.
-struct Ray
-{
-  double u, v;
-  double length() const { return std::sqrt(1 + this->u * this->u + this->v * this->v); }
-  double dot(const Ray& other) const { return 1 + this->u * other.u + this->v * other.v; }
-};
-
-/// Slices of equal thickness through the depths where something absorbs, one for all before them
-/// and one for all behind: there light adds up, however it lies.
-struct Slices
-{
-  double observer = 0; ///< what lies behind him is not seen
-  double start = 0;
-  double thickness = 1;
-  int inner = 0;
-
-  int count() const { return this->inner + 2; }
-  /// Where slice s begins.
-  double edge(int s) const
-  {
-    return s == 0          ? this->observer
-      : s == this->count() ? std::numeric_limits<double>::infinity()
-                           : this->start + (s - 1) * this->thickness;
-  }
-  int at(double depth) const
-  {
-    const double s = std::floor((depth - this->start) / this->thickness) + 1;
-    return static_cast<int>(std::clamp(s, 0.0, double(this->count() - 1)));
-  }
-};
-
-class TileSlicer
+/// One rendering.
+class SlicedPicture
 {
 public:
-  TileSlicer(const Camera& camera, const RenderOptions& options, const TileGrid& grid, int tile)
+  SlicedPicture(const ParticleView& particles, const Camera& camera, const RenderOptions& options)
     : camera(camera)
     , options(options)
-    , left(grid.leftOf(tile))
-    , bottom(grid.bottomOf(tile))
-    , box(grid.pixelsOf(tile))
-    , columns(box.x1 - box.x0)
-    , rows(box.y1 - box.y0)
+    , projection(particles, { camera, options.kernel })
+    , progress(options.progress)
   {
   }
-
-  void draw(
-    const Splat* splats, std::size_t count, const TileDepths& depths, const Projection& projection)
-  {
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      this->balls.push_back(this->ballOf(splats[k], depths, projection));
-    }
-    this->slices = this->slicesOf();
-    this->sums.assign(std::size_t(this->columns) * this->rows * this->slices.count() * 6, 0.0);
-    for (const Ball& ball : this->balls)
-    {
-      this->spread(ball);
-    }
-  }
-
-  /// Whether there are fewer slices than the options ask for.
-  bool isCoarse() const { return this->slices.inner == mostSlices; }
-
-  /// Light is counted in such a unit; says how many values single precision does not hold.
-  std::size_t march(double unit, RenderedImage& image) const
-  {
-    std::size_t tooBright = 0;
-    for (int y = this->box.y0; y < this->box.y1; ++y)
-    {
-      for (int x = this->box.x0; x < this->box.x1; ++x)
-      {
-        const std::size_t pixel =
-          std::size_t(this->bottom + y) * this->camera.width + this->left + x;
-        for (int c = 0; c < 3; ++c)
-        {
-          double I = 0, T = 1;
-          for (int s = 0; s < this->slices.count(); ++s)
-          {
-            const double* sum = this->sumsAt(x, y, s);
-            I += T * sum[c] * escapeFraction(sum[3 + c]);
-            T *= std::exp(-sum[3 + c]);
-          }
-          image.radiance[3 * pixel + c] = toSingle(unit * I, tooBright);
-          image.transmittance[3 * pixel + c] = static_cast<float>(T);
-        }
-      }
-    }
-    return tooBright;
-  }
+  RenderedImage render();
 
 private:
-  Ray rayThrough(double x, double y) const
-  {
-    return { (this->left + x - this->camera.centerX) / this->camera.scale,
-      (this->bottom + y - this->camera.centerY) / this->camera.scale };
-  }
-
-  Ball ballOf(const Splat& splat, const TileDepths& depths, const Projection& projection) const
-  {
-    Ball ball = {};
-    ball.x = double(splat.column()) + splat.x;
-    ball.y = double(splat.row()) + splat.y;
-    ball.h = splat.h;
-    ball.distance = depths.depthOf(splat.depth);
-    const SlabLight light = projection.lightOf(splat);
-    std::copy_n(light.e, 3, ball.e);
-    std::copy_n(light.t, 3, ball.t);
-    if (splat.kind() == SplatKind::Near)
-    {
-      const NearParticle near = projection.near(splat);
-      ball.near = std::make_shared<const NearParticle>(near);
-      ball.sigma = near.sigma;
-      return ball;
-    }
-    const Ray middle = this->rayThrough(ball.x, ball.y);
-    const double h = projection.lens().smoothingLength(
-      middle.u, middle.v, ball.h / this->camera.scale, ball.distance);
-    // A point keeps a width of its own, so that it has a place among the slices.
-    const double least = 1e-7 * std::max(1e-3, std::abs(ball.distance));
-    ball.sigma = std::max(NearParticle::sigmas(this->options.kernel) * h, least);
-    return ball;
-  }
-
-  Slices slicesOf() const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double near = infinity, far = -infinity, smallest = infinity;
-    for (const Ball& ball : this->balls)
-    {
-      if (ball.t[0] > 0 || ball.t[1] > 0 || ball.t[2] > 0)
-      {
-        // On a ray beside its centre a ball is nearer than that by less than so much.
-        const double b = 3 * ball.sigma;
-        const double nearer = this->camera.parallel ? 0 : b * b / std::max(ball.distance, b);
-        near = std::min(near, ball.distance - reach * ball.sigma - nearer);
-        far = std::max(far, ball.distance + reach * ball.sigma);
-        smallest = std::min(smallest, ball.sigma);
-      }
-    }
-    Slices slices;
-    slices.observer = this->camera.parallel ? -infinity : 0;
-    if (far > near)
-    {
-      slices.start = std::max(near, slices.observer);
-      const double wanted = (far - slices.start) / smallest * this->options.slices;
-      slices.inner = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double(mostSlices)));
-      slices.thickness = (far - slices.start) / slices.inner;
-    }
-    return slices;
-  }
-
-  double* sumsAt(int x, int y, int s)
-  {
-    const std::size_t pixel = std::size_t(y - this->box.y0) * this->columns + (x - this->box.x0);
-    return &this->sums[6 * (pixel * this->slices.count() + s)];
-  }
-  const double* sumsAt(int x, int y, int s) const
-  {
-    return const_cast<TileSlicer*>(this)->sumsAt(x, y, s);
-  }
-
-  void spread(const Ball& ball)
-  {
-    if (ball.near)
-    {
-      this->spreadNear(ball);
-      return;
-    }
-    const double h = std::max(ball.h, 1e-4);
-    const auto within = [](double pixel, int low, int high) {
-      return static_cast<int>(std::clamp(std::floor(pixel), double(low), double(high)));
-    };
-    const int x0 = within(ball.x - h, this->box.x0, this->box.x1);
-    const int y0 = within(ball.y - h, this->box.y0, this->box.y1);
-    const int x1 = within(ball.x + h + 1, this->box.x0, this->box.x1);
-    const int y1 = within(ball.y + h + 1, this->box.y0, this->box.y1);
-    for (int y = y0; y < y1; ++y)
-    {
-      for (int x = x0; x < x1; ++x)
-      {
-        const double share = footprintShare(this->options.kernel, ball.x, ball.y, ball.h, x, y);
-        if (share > 0)
-        {
-          this->spreadOnRay(ball, x, y, share);
-        }
-      }
-    }
-  }
-
-  void spreadNear(const Ball& ball)
-  {
-    const double sigma = this->camera.scale * NearParticle::sigmas(this->options.kernel);
-    for (int y = this->box.y0; y < this->box.y1; ++y)
-    {
-      for (int x = this->box.x0; x < this->box.x1; ++x)
-      {
-        const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
-        const double share = ball.near->profile(ray.u, ray.v) / (sigma * sigma);
-        this->spreadOnRay(ball, x, y, share);
-      }
-    }
-  }
-
-  /// Where along the pixel's ray the ball's centre is nearest.
-  double depthOnRay(const Ball& ball, int x, int y) const
-  {
-    if (ball.near)
-    {
-      const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
-      return ball.near->along(ray.u, ray.v) * ball.sigma;
-    }
-    if (this->camera.parallel)
-    {
-      return ball.distance;
-    }
-    const Ray ray = this->rayThrough(x + 0.5, y + 0.5);
-    const Ray centre = this->rayThrough(ball.x, ball.y);
-    return ball.distance * ray.dot(centre) / (ray.length() * centre.length());
-  }
-
-  void spreadOnRay(const Ball& ball, int x, int y, double share)
-  {
-    const double depth = this->depthOnRay(ball, x, y);
-    const std::size_t pixel = std::size_t(this->bottom + y) * this->camera.width + this->left + x;
-    const double opaque = this->options.opaqueDepth ? this->options.opaqueDepth[pixel]
-                                                    : std::numeric_limits<double>::infinity();
-    const int last = this->slices.at(depth + reach * ball.sigma);
-    int s = this->slices.at(depth - reach * ball.sigma);
-    // What lies beyond the reach counts to the first slice and to the last.
-    double before = s > 0 ? -1 : std::erf((this->slices.observer - depth) / ball.sigma);
-    for (; s <= last && this->slices.edge(s) < opaque; ++s)
-    {
-      const double end = std::min(
-        s < last ? this->slices.edge(s + 1) : std::numeric_limits<double>::infinity(), opaque);
-      const double after = std::erf((end - depth) / ball.sigma);
-      const double part = 0.5 * (after - before) * share;
-      double* sum = this->sumsAt(x, y, s);
-      for (int c = 0; c < 3; ++c)
-      {
-        sum[c] += part * ball.e[c];
-        sum[3 + c] += part * ball.t[c];
-      }
-      before = after;
-    }
-  }
+  void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
+  TileSlicer slicerOf(const TileDealer& dealer, const TileBand& band, int tile) const;
 
   const Camera& camera;
   const RenderOptions& options;
-  int left, bottom; ///< the tile's corner
-  PixelBox box;     ///< of the tile that lie in the picture
-  int columns, rows;
-  std::vector<Ball> balls;
-  Slices slices;
-  std::vector<double> sums; ///< by pixel and slice: emission and optical depth of three channels
+  Projection projection;
+  WorkProgress progress;
+  double work = 0;
+  std::atomic<std::size_t> coarse{ 0 }, tooBright{ 0 };
 };
+
+TileSlicer SlicedPicture::slicerOf(const TileDealer& dealer, const TileBand& band, int tile) const
+{
+  const std::size_t first = band.first[tile - band.firstTile];
+  TileSlicer slicer(this->camera, this->options, dealer.grid(), tile);
+  slicer.set(
+    band.splats.data() + first, dealer.splatsOf(tile), dealer.depthsOf(tile), this->projection);
+  return slicer;
+}
+
+void SlicedPicture::renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image)
+{
+  std::vector<double> works(band.lastTile - band.firstTile);
+  parallelForDynamic<int>(band.firstTile, band.lastTile, 1, [&](int tile) {
+    works[tile - band.firstTile] =
+      dealer.splatsOf(tile) > 0 ? this->slicerOf(dealer, band, tile).work() : 0;
+  });
+  const double all = std::accumulate(works.begin(), works.end(), 0.0);
+  this->work += all;
+  // Those with the most work first, so that no thread is left with a large one at the end.
+  std::vector<int> tiles(works.size());
+  std::iota(tiles.begin(), tiles.end(), 0);
+  std::stable_sort(tiles.begin(), tiles.end(), [&](int a, int b) { return works[a] > works[b]; });
+  parallelForDynamic<std::size_t>(0, tiles.size(), 1, [&](std::size_t k) {
+    const int tile = band.firstTile + tiles[k];
+    if (dealer.splatsOf(tile) == 0 || this->progress.isAborted())
+    {
+      return;
+    }
+    TileSlicer slicer = this->slicerOf(dealer, band, tile);
+    this->coarse += slicer.isCoarse();
+    // Progress counts the band's splats; a row is as many as its work is of all.
+    const int rows = slicer.lastRow() - slicer.firstRow();
+    const double splats = double(band.first.back()) * works[tiles[k]] / all;
+    for (int row = 0; row < rows && !this->progress.isAborted(); ++row)
+    {
+      this->tooBright += slicer.drawRow(slicer.firstRow() + row, dealer.splatUnit(), image);
+      const auto doneBefore = [&](int r) { return static_cast<std::size_t>(splats * r / rows); };
+      this->progress.advance(doneBefore(row + 1) - doneBefore(row));
+    }
+  });
+}
+
+RenderedImage SlicedPicture::render()
+{
+  RenderedImage image = emptyPicture(this->camera);
+  const double start = omp_get_wtime();
+  RenderMemory own;
+  const TileDealer dealer(
+    this->projection, this->options.memory ? *this->options.memory : own, this->progress);
+  ParticleCounts counts = dealer.missing();
+  for (int k = 0; k < dealer.bands() && !this->progress.isAborted(); ++k)
+  {
+    const TileBand& band = dealer.deal(k);
+    counts += band.counts;
+    if (!this->progress.isAborted())
+    {
+      this->renderBand(dealer, band, image);
+    }
+  }
+  finishPicture(counts, { 1, 0, 0 }, this->progress.isAborted(), image);
+  image.statistics.coarse = this->coarse;
+  image.statistics.tooBright = this->tooBright;
+  image.statistics.raySums = this->work;
+  image.statistics.bySlices = true;
+  image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
+  return image;
+}
 } // namespace
 
 RenderedImage renderOverlapping(
   const ParticleView& particles, const Camera& camera, const RenderOptions& options)
 {
-  RenderedImage image = emptyPicture(camera);
-  const double start = omp_get_wtime();
-  Projection projection(particles, { camera, options.kernel });
-  RenderMemory own;
-  WorkProgress progress(options.progress);
-  const TileDealer dealer(projection, options.memory ? *options.memory : own, progress);
-  const TileGrid& grid = dealer.grid();
-  ParticleCounts counts = dealer.missing();
-  std::atomic<std::size_t> coarse{ 0 }, tooBright{ 0 };
-  for (int k = 0; k < dealer.bands() && !progress.isAborted(); ++k)
-  {
-    const TileBand& band = dealer.deal(k);
-    counts += band.counts;
-    parallelForDynamic<int>(band.firstTile, band.lastTile, 1, [&](int tile) {
-      const std::size_t first = band.first[tile - band.firstTile];
-      const std::size_t count = band.first[tile - band.firstTile + 1] - first;
-      if (count > 0 && !progress.isAborted())
-      {
-        TileSlicer slicer(camera, options, grid, tile);
-        slicer.draw(band.splats.data() + first, count, dealer.depthsOf(tile), projection);
-        tooBright += slicer.march(dealer.splatUnit(), image);
-        coarse += slicer.isCoarse();
-        progress.advance(count);
-      }
-    });
-  }
-  finishPicture(counts, { 1, 0, 0 }, progress.isAborted(), image);
-  image.statistics.coarse = coarse;
-  image.statistics.tooBright = tooBright;
-  image.statistics.bySlices = true;
-  image.statistics.seconds.emplace_back("overlap", omp_get_wtime() - start);
-  return image;
+  return SlicedPicture(particles, camera, options).render();
 }
 } // namespace galaxy

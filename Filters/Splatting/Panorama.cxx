@@ -178,6 +178,7 @@ void addStatistics(const RenderStatistics& from, RenderStatistics& to)
   to.bound.share = std::max(to.bound.share, from.bound.share);
   to.thickest = std::max(to.thickest, from.thickest);
   to.coarse += from.coarse;
+  to.raySums += from.raySums;
   to.addSeconds(from);
 }
 

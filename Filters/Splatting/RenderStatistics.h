@@ -68,6 +68,7 @@ struct RenderStatistics : ParticleCounts
   ErrorBound bound;          ///< on the error of what was left out (Bounded)
   std::size_t tooBright = 0; ///< values of radiance beyond single precision, given as its largest
   double thickest = 0;       ///< the largest optical depth of one particle
+  double raySums = 0;        ///< sums over particles, pixels and slices (Overlapping): its work
   std::size_t coarse = 0;    ///< tiles with fewer slices than asked for (Overlapping)
   std::vector<std::pair<std::string, double>> seconds; ///< by stage
 

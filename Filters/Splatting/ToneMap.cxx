@@ -28,7 +28,7 @@ struct Levels
 
   Levels(const ToneMap& map, int channel)
   {
-    const double range = std::max(map.white[channel] - map.black[channel], 1e-30);
+    const double range = std::max(map.white[channel] - map.black[channel], 1e-300);
     this->gain = map.exposure / range;
     this->offset = map.black[channel] / range;
   }
@@ -41,7 +41,7 @@ ErrorBound allowedError(const ToneMap& map, double tolerance)
   const double half = tolerance / 2;
   // x^(1/gamma) with gamma > 1 is concave: its steepest rise is from 0.
   const double value = map.gamma > 1 ? std::pow(half, map.gamma) : half * map.gamma;
-  double gain = 1e-30, offset = 0;
+  double gain = 1e-300, offset = 0;
   for (int c = 0; c < 3; ++c)
   {
     const Levels levels(map, c);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -183,5 +184,62 @@ TEST(Overlapping, HalvesMakeTheWhole)
   const auto b = renderOverlapping(two.view(), testCamera(true));
   EXPECT_LT(largestDifference(a.radiance, b.radiance), 1e-6 * largest(a.radiance));
   EXPECT_LT(largestDifference(a.transmittance, b.transmittance), 1e-6);
+}
+
+/// Particles as large as the picture, among them one so small that there are many slices.
+Scene closeUp()
+{
+  Scene scene;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 40; ++i)
+  {
+    scene.add({ uniform(random), uniform(random), uniform(random) }, 2, { 1, 0.5F, 1 },
+      { 0.1F, 0.2F, 0.1F });
+  }
+  scene.add({ 0, 0, 0 }, 0.02, {}, { 1e-4F, 0, 0 });
+  return scene;
+}
+
+TEST(Overlapping, ProgressIsEvenAndEndsThePictureWhereverItIsAborted)
+{
+  const Scene scene = closeUp();
+  const Camera camera = testCamera(true, 30, 40);
+  RenderOptions options;
+  options.accuracy = Accuracy::Overlapping;
+  options.slices = 1;
+  std::vector<double> told;
+  options.progress = [&told](double done) {
+    told.push_back(done);
+    return true;
+  };
+  EXPECT_FALSE(render(scene.view(), camera, options).aborted);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LE(told.back(), 1);
+  // Within tiles, whichever of the threads tells.
+  const auto late = std::count_if(told.begin(), told.end(), [](double t) { return t > 0.5; });
+  EXPECT_GT(late, 5);
+  for (std::size_t last = 0; last < told.size(); last += 1 + told.size() / 5)
+  {
+    std::size_t asked = 0;
+    options.progress = [&asked, last](double) { return asked++ < last; };
+    const auto image = render(scene.view(), camera, options);
+    EXPECT_TRUE(image.aborted);
+    EXPECT_EQ(largest(image.radiance), 0);
+    EXPECT_EQ(asked, last + 1) << "asked again after the answer";
+  }
+}
+
+TEST(Overlapping, SaysItsWork)
+{
+  const Scene scene = closeUp();
+  RenderOptions options;
+  options.accuracy = Accuracy::Overlapping;
+  options.slices = 0.5;
+  const double once = render(scene.view(), testCamera(true, 20, 20), options).statistics.raySums;
+  options.slices = 1;
+  const double twice = render(scene.view(), testCamera(true, 20, 20), options).statistics.raySums;
+  EXPECT_GT(once, 20 * 20 * 40);
+  EXPECT_NEAR(twice / once, 2, 0.1);
 }
 }
