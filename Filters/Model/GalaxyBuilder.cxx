@@ -2,6 +2,7 @@
 
 #include "Filters/Model/AutomaticCount.h"
 #include "Filters/Model/BlockSum.h"
+#include "Filters/Model/DrawnLayer.h"
 #include "Filters/Model/DustFilaments.h"
 #include "Filters/Model/FiniteParticles.h"
 #include "Filters/Model/ImageStore.h"
@@ -16,7 +17,6 @@
 #include "Filters/Model/Stopwatch.h"
 #include "Filters/Model/SurfaceDraws.h"
 #include "Filters/Model/Thickness.h"
-#include "Filters/Model/ThicknessProfile.h"
 #include "Readers/Formats/ComponentLimit.h"
 #include "Readers/Formats/Error.h"
 
@@ -128,6 +128,7 @@ public:
     this->placeDisk(index, seeds);
     this->proceed();
     this->smooth(index, 0);
+    this->drawnLayer(index).settle(this->particles, 0, this->particles.size());
     this->showDiskToEarth(0);
     this->particles.components = { infoOf(this->galaxy.components[index]) };
     std::fill(this->particles.component.begin(), this->particles.component.end(), 0);
@@ -265,15 +266,28 @@ private:
     Seeds seeds = this->sample(index, map);
     this->placeDisk(index, seeds);
     done.seconds.thickness += this->proceed();
+    // As thick as they will be drawn before the pixels are looked at from Earth.
+    this->smooth(index, first);
+    DrawnLayer layer = this->drawnLayer(index);
+    layer.settle(this->particles, first, this->particles.size());
+    done.seconds.smoothing += this->proceed();
     if (map && component.normalizeAt == NormalizeAt::Child && seeds.drawn > 0)
     {
-      this->normalize(index, *map, first);
+      this->normalize(index, *map, first, layer);
     }
     done.seconds.photometry += this->proceed();
-    this->smooth(index, first);
-    done.light = blockSum(this->particles.intensity, first, this->particles.size());
+    const std::size_t last = this->particles.size();
+    done.light = blockSum(this->particles.intensity, first, last);
+    done.layer = layer.heights(this->particles, first, last);
     this->showDiskToEarth(first);
-    done.seconds.smoothing += this->proceed();
+    this->summarize(index, first);
+  }
+
+  DrawnLayer drawnLayer(std::size_t index) const
+  {
+    const ComponentDescription& component = this->galaxy.components[index];
+    return { this->disk, component, std::max(0.0, component.innerRadius),
+      this->outerRadius(component) };
   }
 
   void placeDisk(std::size_t index, const Seeds& seeds)
@@ -295,7 +309,7 @@ private:
     place(seeds, starts, this->disk, component, key, lightFactor(component), writer);
   }
 
-  void normalize(std::size_t index, const LightMap& map, std::size_t first)
+  void normalize(std::size_t index, const LightMap& map, std::size_t first, const DrawnLayer& layer)
   {
     const ComponentDescription& component = this->galaxy.components[index];
     const std::size_t placed = this->particles.size();
@@ -307,22 +321,13 @@ private:
     const DiskInverse inverse = this->inverseOf(component);
     const std::vector<std::uint32_t> uncovered = photometry.uncovered(inverse);
     addParticles(uncovered.size(), this->options, this->galaxy.file, component, this->particles);
-    fillPixels(uncovered, map, this->disk, inverse, this->layerOf(component),
-      component.velocityDispersion, this->keyOf(index), static_cast<float>(typical),
-      this->writerOf(index, placed));
+    fillPixels(uncovered, map, this->disk, inverse, layer.layer(), component.velocityDispersion,
+      this->keyOf(index), static_cast<float>(typical), this->writerOf(index, placed));
     photometry.weigh(this->particles, placed, this->particles.size());
     photometry.shine(this->particles, first, this->particles.size(), lightFactor(component));
     this->report.components[index].filled = uncovered.size();
-  }
-
-  VerticalLayer layerOf(const ComponentDescription& component) const
-  {
-    if (component.hasDust)
-    {
-      return { LayerLaw::Gaussian, [&](double) { return component.dust.scaleHeight; } };
-    }
-    const ThicknessProfile profile(component.thickness, this->disk);
-    return { profile.law(), [profile](double r) { return profile.scaleHeight(r); } };
+    smoothAmongOthers(this->particles, first, placed, component.smoothing);
+    layer.lower(this->particles, placed, this->particles.size());
   }
 
   ParticleWriter writerOf(std::size_t index, std::size_t first)
@@ -364,6 +369,7 @@ private:
     {
       this->showToEarth(first);
     }
+    this->summarize(index, first);
     done.seconds.smoothing += this->proceed();
   }
 
@@ -384,11 +390,17 @@ private:
   void smooth(std::size_t index, std::size_t first)
   {
     const ComponentDescription& component = this->galaxy.components[index];
-    ComponentReport& done = this->report.components[index];
     const std::size_t last = this->particles.size();
     requireFinite(this->particles, first, last, this->galaxy.file, component.name);
     setSmoothingLengths(this->particles, first, last, component.smoothing, this->presentStage());
-    requireFiniteLengths(this->particles, first, last, this->galaxy.file, component.name);
+  }
+
+  void summarize(std::size_t index, std::size_t first)
+  {
+    ComponentReport& done = this->report.components[index];
+    const std::size_t last = this->particles.size();
+    requireFiniteLengths(
+      this->particles, first, last, this->galaxy.file, this->galaxy.components[index].name);
     done.particles = last - first;
     done.smoothingLength = done.particles > 0
       ? blockSum(this->particles.smoothingLength, first, last) / static_cast<double>(done.particles)

@@ -2,6 +2,7 @@
 #define galaxy_GalaxyBuilder_h
 
 #include "Filters/Model/BuildOptions.h"
+#include "Filters/Model/DrawnLayer.h"
 #include "Filters/Model/ImageReport.h"
 #include "Filters/Model/Particles.h"
 #include "Filters/Model/PixelCount.h"
@@ -47,6 +48,7 @@ struct ComponentReport
   double end = 0;             ///< of a spheroid, kpc along its first axis
   double beyond = 0;          ///< the share of its profile's light that lies there and is left out
   double smoothingLength = 0; ///< kpc, mean
+  std::vector<LayerHeight> layer; ///< how thick a disk is drawn, by radius
   StageSeconds seconds;
 };
 

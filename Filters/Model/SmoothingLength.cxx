@@ -62,6 +62,18 @@ void lengthsByLight(
     h[i] = static_cast<float>(length * std::pow(lightOf(intensity[i], brightest), p));
   }
 }
+/// From d, or h itself where the factor is 1.
+void keepInRange(double factor, const SmoothingDescription& smoothing, std::size_t count, float* h)
+{
+  const auto least = static_cast<float>(std::max(smoothing.minimum, leastLength));
+  const auto most = std::max(least,
+    static_cast<float>(std::min(smoothing.maximum, double(std::numeric_limits<float>::max()))));
+#pragma omp parallel for simd schedule(static)
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    h[i] = std::min(std::max(static_cast<float>(factor * h[i]), least), most);
+  }
+}
 } // namespace
 
 void smoothingLengths(const float* position, const float* intensity, std::size_t count,
@@ -87,14 +99,7 @@ void smoothingLengths(const float* position, const float* intensity, std::size_t
       lengthsByLight(intensity, count, smoothing, h);
       break;
   }
-  const auto least = static_cast<float>(std::max(smoothing.minimum, leastLength));
-  const auto most = std::max(least,
-    static_cast<float>(std::min(smoothing.maximum, double(std::numeric_limits<float>::max()))));
-#pragma omp parallel for simd schedule(static)
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    h[i] = std::min(std::max(static_cast<float>(factor * h[i]), least), most);
-  }
+  keepInRange(factor, smoothing, count, h);
 }
 
 void setSmoothingLengths(Particles& particles, std::size_t first, std::size_t last,
@@ -102,5 +107,24 @@ void setSmoothingLengths(Particles& particles, std::size_t first, std::size_t la
 {
   smoothingLengths(particles.position.data() + 3 * first, particles.intensity.data() + first,
     last - first, smoothing, particles.smoothingLength.data() + first, progress);
+}
+
+void smoothAmongOthers(Particles& particles, std::size_t first, std::size_t placed,
+  const SmoothingDescription& smoothing)
+{
+  const std::size_t last = particles.size();
+  if (smoothing.model == SmoothingModel::Density || smoothing.model == SmoothingModel::Neighbours)
+  {
+    float* h = particles.smoothingLength.data() + placed;
+    const float* position = particles.position.data();
+    if (placed < last)
+    {
+      DensityGrid(position + 3 * first, last - first, smoothing.neighbours)
+        .meanDistances(position + 3 * placed, last - placed, h);
+      keepInRange(smoothing.factor, smoothing, last - placed, h);
+    }
+    return;
+  }
+  setSmoothingLengths(particles, first, last, smoothing);
 }
 } // namespace galaxy

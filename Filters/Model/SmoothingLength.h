@@ -26,6 +26,12 @@ void smoothingLengths(const float* position, const float* intensity, std::size_t
 /// The same for the particles first to last - 1, all of one component.
 void setSmoothingLengths(Particles& particles, std::size_t first, std::size_t last,
   const SmoothingDescription& smoothing, const Progress& progress = {});
+
+/// For a component whose particles from first to placed - 1 have theirs, when more have come after
+/// them: those of the others. Neighbours are then counted as Density does; Brightness, which looks
+/// at the light of all, is set anew.
+void smoothAmongOthers(Particles& particles, std::size_t first, std::size_t placed,
+  const SmoothingDescription& smoothing);
 } // namespace galaxy
 
 #endif

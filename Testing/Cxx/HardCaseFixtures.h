@@ -34,6 +34,14 @@ inline ComponentDescription thickLayer(ThicknessModel model = ThicknessModel::Ta
   return component;
 }
 
+/// Of points, nearly: the heights of the particles are those of the layer.
+inline ComponentDescription ofPoints(ComponentDescription component)
+{
+  component.smoothing.model = SmoothingModel::Constant;
+  component.smoothing.length = 1e-4;
+  return component;
+}
+
 /// A galaxy at M83's place of one image, `picture`.
 inline Galaxy galaxyOf(const RingTable& rings, const std::vector<ComponentDescription>& components,
   const std::function<double(double, double)>& f = evenLight, double pixel = picturePixel,

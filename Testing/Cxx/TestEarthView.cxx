@@ -70,10 +70,11 @@ std::vector<double> earthView(
       for (const auto& [at, step] : { std::pair(u, 1), std::pair(v, side) })
       {
         const double off = at - std::round(at);
-        if (onEdge && std::abs(off) < 2e-5)
+        const int beside = off > 0 ? k - step : k + step;
+        if (onEdge && std::abs(off) < 2e-5 && beside >= 0 && beside < side * side)
         {
           (*onEdge)[k] = true;
-          (*onEdge).at(off > 0 ? k - step : k + step) = true;
+          (*onEdge)[beside] = true;
         }
       }
     }

@@ -130,8 +130,7 @@ TEST(HardCase, N15_EdgeOnRingsHoldNoneOfTheSky)
   expectPictureKept(input, inside);
   const ComponentReport& done = report.components[0];
   EXPECT_NEAR(done.light / (0.5 * 25 * pi), 1, 0.02);
-  // What counts of the picture are the pixels with their middle in the square about the disc.
-  const double square = 2 * std::round(10 / pictureKpc) * pictureKpc;
+  const double square = pictureSide * pictureKpc;
   EXPECT_NEAR((done.flux - done.light) / (0.5 * (square * square - 25 * pi)), 1, 0.005);
   // Seeds spread over the surface do stand there, on a line of the sky.
   ComponentDescription even = thickLayer();
@@ -144,7 +143,7 @@ TEST(HardCase, N15_EdgeOnRingsHoldNoneOfTheSky)
 TEST(HardCase, N16_InclinationBeyond90TurnsTheOtherWay)
 {
   const auto built = [](const RingTable& rings, SpinSense spin) {
-    Galaxy input = galaxyOf(rings, { thickLayer() });
+    Galaxy input = galaxyOf(rings, { ofPoints(thickLayer()) });
     input.description.spin = spin;
     return buildGalaxy(input, withVelocities());
   };

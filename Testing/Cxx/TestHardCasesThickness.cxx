@@ -129,7 +129,7 @@ TEST(HardCase, N21_LorentzianTailEnds)
 {
   RingTable rings = flatDisk(10);
   rings.layerLaw = LayerLaw::Lorentzian;
-  ComponentDescription stars = thickLayer(ThicknessModel::Rings);
+  ComponentDescription stars = ofPoints(thickLayer(ThicknessModel::Rings));
   stars.thickness.children = 10;
   const std::vector<double> heights = heightsOf(buildGalaxy(galaxyOf(rings, { stars })));
   const double scaleHeight = 10 * m83Kpc;
@@ -145,7 +145,7 @@ TEST(HardCase, N22_WithoutRotationTheFlareIsCapped)
   still.rings[0].rotationVelocity = 0;
   for (const double exponent : { 0.5, 1.0, 2.0 })
   {
-    ComponentDescription gas = thickLayer(ThicknessModel::Flared);
+    ComponentDescription gas = ofPoints(thickLayer(ThicknessModel::Flared));
     gas.thickness.fwhmMaximum = 2;
     gas.thickness.velocityExponent = exponent;
     const Particles particles = buildGalaxy(galaxyOf(still, { gas }));

@@ -108,7 +108,7 @@ TEST(ModelWidths, AreThoseOfTheModelsAtEveryRadiusAndInclination)
   {
     for (const ThicknessModel model : { ThicknessModel::Flared, ThicknessModel::Tapered })
     {
-      ComponentDescription layer = thickLayer(model);
+      ComponentDescription layer = ofPoints(thickLayer(model));
       layer.particles = 20000;
       layer.thickness.children = 6;
       layer.thickness.scaleLength = 1e9;
@@ -141,7 +141,7 @@ TEST(ModelWidths, AFlareDoesNotRiseInwardWhereTheRotationFallsToZero)
   {
     for (const VelocityScaling scaling : { VelocityScaling::Maximum, VelocityScaling::Local })
     {
-      ComponentDescription gas = thickLayer(ThicknessModel::Flared);
+      ComponentDescription gas = ofPoints(thickLayer(ThicknessModel::Flared));
       gas.particles = 30000;
       gas.profile = DiskProfile::Exponential;
       gas.scaleLength = 0.6;
@@ -171,7 +171,7 @@ TEST(ModelWidths, NoLayerPilesUpWhereTheNormalsMeet)
   };
 
   // Seeds drawn evenly leave many pixels out.
-  ComponentDescription layer = thickLayer();
+  ComponentDescription layer = ofPoints(thickLayer());
   layer.sampling = SeedSampling::SurfaceUniform;
   layer.particles = 9000;
   layer.thickness.children = 1;
@@ -180,7 +180,7 @@ TEST(ModelWidths, NoLayerPilesUpWhereTheNormalsMeet)
   const Particles thick = buildGalaxy(galaxyOf(rings, { layer }, evenLight, 9, 100), {}, &report);
   expectCut(thick, thick.size() - report.components[0].filled, "filled pixels");
 
-  ComponentDescription dust = thickLayer();
+  ComponentDescription dust = ofPoints(thickLayer());
   dust.role = ComponentRole::Absorbs;
   dust.hasDust = true;
   dust.dust.steps = 1;

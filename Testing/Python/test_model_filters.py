@@ -10,7 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 import galaxy_testing as gt
 
 gt.load_plugin()
-# Face-on, so that Z is the height over the disc: its density is exp(-r / 2 kpc).
+# Face-on, so that Z is the height over the disc: its density is exp(-r / 2 kpc). Of points, nearly,
+# that kernels take no share in the thickness.
 FACE_ON = """
 [galaxy]
 ra = 10
@@ -23,6 +24,7 @@ name = "disc"
 particles = 40000
 profile = "Exponential"
 scale_length = 2
+smoothing_length = 0.001
 """
 
 
