@@ -41,6 +41,24 @@ void addImage(const ImageReport& image, std::ostream& text)
   text << (image.note.empty() ? "" : "; ") << printed(image.note) << "\n";
 }
 
+/// How thick a disc is drawn.
+void addLayer(const std::vector<LayerHeight>& layer, std::ostream& text)
+{
+  const char* before = "  height (rms, kpc): drawn ";
+  for (const LayerHeight& height : layer)
+  {
+    text << before << height.drawn << " of its model's " << height.model
+         << " at R = " << height.radius;
+    before = ", ";
+  }
+  text << (layer.empty() ? "" : "\n");
+}
+
+Json toJson(const LayerHeight& height)
+{
+  return { { "radius", height.radius }, { "drawn", height.drawn }, { "model", height.model } };
+}
+
 Json toJson(const ImageReport& image)
 {
   Json json = { { "image", image.name }, { "background", image.sky.level },
@@ -73,6 +91,11 @@ Json toJson(const ComponentReport& component)
   for (const ImageReport& image : component.images)
   {
     json["images"].push_back(toJson(image));
+  }
+  json["heights"] = Json::array();
+  for (const LayerHeight& height : component.layer)
+  {
+    json["heights"].push_back(toJson(height));
   }
   json["seconds"] = toJson(component.seconds);
   return json;
@@ -121,6 +144,8 @@ std::string inWords(const BuildReport& report)
     {
       addImage(image, text);
     }
+    text << std::setprecision(2);
+    addLayer(component.layer, text);
   }
   return text.str();
 }

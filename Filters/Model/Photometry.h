@@ -11,8 +11,9 @@
 
 namespace galaxy
 {
-/// The two passes that give particles the light of the pixels they are seen on from Earth, under
-/// parallel projection: first the weights that fall on every pixel, then every particle its share,
+/// The two passes that give particles the light of the pixels they are seen on, along parallels:
+/// moveToSightLines later makes those the sight lines from Earth. First the weights that fall on
+/// every pixel, then every particle its share,
 ///   W_p = sum of w_i over the particles on pixel p,   L_i = F_p w_i / W_p.
 /// The weights, which the particles bring in place of intensities, are rounded to multiples of a
 /// power of two, about 2^-20 of a typical weight, so that their sums are exact in double precision
