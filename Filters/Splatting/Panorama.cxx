@@ -1,6 +1,7 @@
 #include "Filters/Splatting/Panorama.h"
 
 #include "Filters/Model/ParallelFor.h"
+#include "Filters/Model/WorkProgress.h"
 #include "Filters/Splatting/Picture.h"
 #include "Filters/Splatting/SkyFace.h"
 
@@ -127,12 +128,16 @@ void addFace(const Samples& samples, const SkyFace& face, const RenderedImage& p
   }
 }
 
-void addFace(const Panorama& panorama, const Samples& samples, const SkyFace& face,
-  const RenderedImage& picture, RenderedImage& to)
+/// False where `progress` has ended it.
+bool addFace(const Panorama& panorama, const Samples& samples, const SkyFace& face,
+  const RenderedImage& picture, const Progress& progress, RenderedImage& to)
 {
+  WorkProgress work(progress);
+  work.begin(1, to.height);
   const double cosine = std::cos(std::min(SkyFace::farthest() + panorama.largestPixel(), M_PI));
   parallelForDynamic<int>(0, to.height, 8, [&](int row) {
-    for (int column = 0; column < to.width; ++column)
+    const bool isWanted = work.advance(1);
+    for (int column = 0; isWanted && column < to.width; ++column)
     {
       Vec3 one;
       const bool isSeen = samples.direction(column, row, 0, one);
@@ -142,6 +147,7 @@ void addFace(const Panorama& panorama, const Samples& samples, const SkyFace& fa
       }
     }
   });
+  return !work.isAborted();
 }
 
 /// The light from outside of the dome, which nothing hides.
@@ -272,27 +278,25 @@ RenderedImage renderPanorama(
   RenderedImage image = emptyPanorama(panorama, samples);
   const std::vector<int> faces = facesOf(panorama);
   const double count = static_cast<double>(faces.size());
+  constexpr double drawingShare = 0.7; // of a face's time; the rest is spreading it over the sky
   RenderOptions faceOptions = options;
   faceOptions.opaqueDepth = nullptr;
   faceOptions.previewTime = options.previewTime / count;
   for (std::size_t k = 0; k < faces.size(); ++k)
   {
-    if (options.progress)
-    {
-      faceOptions.progress = [&options, k, count](double done) {
-        return options.progress((double(k) + done) / count);
-      };
-    }
+    const double begin = double(k) / count, end = double(k + 1) / count;
+    const double drawn = begin + drawingShare * (end - begin);
+    faceOptions.progress = partOf(options.progress, begin, drawn);
+    const Progress adding = partOf(options.progress, drawn, end);
     const SkyFace face(panorama.ahead, faces[k], panorama.finest());
     const RenderedImage picture = render(particles, face.camera(), faceOptions);
-    if (picture.aborted)
+    if (picture.aborted || !addFace(panorama, samples, face, picture, adding, image))
     {
       std::fill(image.radiance.begin(), image.radiance.end(), 0.0F);
       std::fill(image.transmittance.begin(), image.transmittance.end(), 1.0F);
       image.aborted = true;
       return image;
     }
-    addFace(panorama, samples, face, picture, image);
     addStatistics(picture.statistics, image.statistics);
   }
   return image;

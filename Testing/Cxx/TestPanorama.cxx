@@ -275,9 +275,21 @@ TEST(Panorama, AnAbortLeavesNothing)
 {
   Scene scene = randomScene(1000, true);
   RenderOptions options;
-  options.progress = [](double done) { return done < 0.4; };
-  const RenderedImage image = renderPanorama(scene.view(), allSky(64), options);
-  EXPECT_TRUE(image.aborted);
-  EXPECT_EQ(largest(image.radiance), 0);
+  std::vector<double> told;
+  options.progress = [&told](double done) {
+    told.push_back(done);
+    return true;
+  };
+  EXPECT_FALSE(renderPanorama(scene.view(), allSky(64), options).aborted);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.back(), 0.9);
+  // Also while a face that is drawn is spread over the sky.
+  for (const double stop : { 0.02, 0.13, 0.4, 0.9 })
+  {
+    options.progress = [stop](double done) { return done < stop - 1e-9; };
+    const RenderedImage image = renderPanorama(scene.view(), allSky(64), options);
+    EXPECT_TRUE(image.aborted) << stop;
+    EXPECT_EQ(largest(image.radiance), 0) << stop;
+  }
 }
 } // namespace
