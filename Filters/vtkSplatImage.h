@@ -2,12 +2,13 @@
  * @class   vtkSplatImage
  * @brief   a picture of particles in linear light, without a display
  *
- * Input: vtkPolyData with point array `SmoothingLength` (kpc) and either `Intensity`, `Color`,
+ * Input: any points (Filters/ParticleSets.h), of all processes, with point array `SmoothingLength`
+ * (kpc) and either `Intensity`, `Color`,
  * `Component` with a component table, or `Emission` and `Absorption`. Output: vtkImageData with
  * the point arrays `Radiance` (float32 x 3, luminosity per kpc^2 of projected area, the pixel's
  * mean) and `Transmittance` (float32 x 3), rows from the bottom up; the camera, by the
  * names of the properties, and GalaxyName, SkyCentre and SkyDistance, where the particles have
- * them, in the field data.
+ * them, in the field data. Of several processes the first one has the picture.
  *
  * The model is that of Dykes et al., equation for I_after, in the form that is stable for every
  * optical depth: I <- I exp(-t) + e (1 - exp(-t))/t with e and t the column emission and optical
