@@ -102,6 +102,7 @@ LightMap::LightMap(const std::vector<SeedLayer>& layers, const ComponentDescript
 
 void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius)
 {
+  this->reach = radius;
   const SkyImage& finest = finestOf(layers);
   PlaneBox box = unionOf(layers);
   box = { std::max(box.left, -radius), std::max(box.bottom, -radius), std::min(box.right, radius),
@@ -205,9 +206,10 @@ void LightMap::fill(const std::vector<SeedLayer>& layers, const ChangeColor& cha
   this->colors.assign(3 * pixels, 0);
   const std::vector<bool> isCoarse = this->coarseOnes(layers);
   parallelForDynamic(std::size_t(0), pixels, 4096, [&](std::size_t pixel) {
-    const Lit lit = this->litAt(layers, isCoarse, change, static_cast<int>(pixel % this->columns),
-      static_cast<int>(pixel / this->columns));
-    if (lit.flux > 0)
+    const auto column = static_cast<int>(pixel % this->columns);
+    const auto row = static_cast<int>(pixel / this->columns);
+    const Lit lit = this->litAt(layers, isCoarse, change, column, row);
+    if (lit.flux > 0 && this->reaches(this->toPlane.at(column + 1, row + 1)))
     {
       this->intensities[pixel] = static_cast<float>(lit.intensity);
       this->fluxes[pixel] = static_cast<float>(lit.flux);
@@ -231,7 +233,8 @@ double LightMap::fluxBeyond(const std::vector<SeedLayer>& layers, const ChangeCo
     const bool crosses = row >= bottom && row < bottom + this->rows;
     for (int column = 0; column < all.columns; column += stride)
     {
-      if (!(crosses && column >= left && column < left + this->columns))
+      const bool isOnMap = crosses && column >= left && column < left + this->columns;
+      if (!isOnMap || !this->reaches(all.toPlane.at(column + 1, row + 1)))
       {
         ofRow[k] += all.litAt(layers, isCoarse, change, column, row).flux;
       }

@@ -6,6 +6,7 @@
 #include "Readers/Formats/GalaxyDescription.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -107,11 +108,17 @@ private:
   void fill(const std::vector<SeedLayer>& layers, const ChangeColor& change);
   Lit litAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse,
     const ChangeColor& change, int column, int row) const;
+  /// Whether the map's light is that of a pixel with this middle.
+  bool reaches(const PixelPosition& at) const
+  {
+    return std::abs(at.x) <= this->reach && std::abs(at.y) <= this->reach;
+  }
   std::vector<bool> coarseOnes(const std::vector<SeedLayer>& layers) const;
   Color colorAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse, double x,
     double y, double& total) const;
 
   bool absorbs;
+  double reach = 0; ///< kpc, the radius it was made for
   SkyGrid grid;
   SkyFrame frame{ { 0, 0 }, 1 };
   PixelLattice toPixel; ///< of the grid, from (X, Y)
