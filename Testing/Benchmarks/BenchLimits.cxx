@@ -50,7 +50,7 @@ struct Amounts
     : particles(double(particles.size))
   {
     const TileGrid grid(camera.width, camera.height);
-    const Projection projection(particles, camera);
+    const Projection projection(particles, Lens(camera, Kernel::Gaussian));
     double sums[4] = { 0, 0, 0, 0 };
 #pragma omp parallel for schedule(static) reduction(+ : sums[:4])
     for (std::size_t i = 0; i < particles.size; ++i)
