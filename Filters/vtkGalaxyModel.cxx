@@ -48,9 +48,10 @@ int vtkGalaxyModel::RequestData(
     const std::string shortened = galaxy::shortOnes(report);
     if (!shortened.empty())
     {
-      vtkWarningMacro(<< input.description.file << ": the pixels under " << shortened
-                      << " have less light than light_fraction asks for, and gave only that share "
-                         "of it; give a smaller light_fraction, or a larger spheroid");
+      vtkWarningMacro(
+        << input.description.file << ": the pixels under " << shortened
+        << " have less light than light_fraction asks for, and gave only that share "
+           "of it; give a smaller light_fraction, a larger spheroid, or more particles");
     }
     const std::string unasked = galaxy::darkOnes(report, false);
     if (!unasked.empty())

@@ -23,6 +23,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkSplatImage);
 
@@ -156,6 +157,11 @@ void vtkSplatImage::Draw(vtkPolyData* particles, vtkImageData* output)
 galaxy::RenderedImage vtkSplatImage::Render(
   const galaxy::ParticleView& view, const galaxy::RenderOptions& options)
 {
+  const bool isPerspective = this->Projection == CAMERA && !this->CameraParallelProjection;
+  if (isPerspective && !(this->CameraViewAngle > 0 && this->CameraViewAngle < 180))
+  {
+    throw std::invalid_argument("CameraViewAngle must be more than 0 and less than 180 degrees");
+  }
   const galaxy::Camera camera = galaxy::Camera::lookAt(vector(this->CameraPosition),
     vector(this->CameraFocalPoint), vector(this->CameraViewUp), this->CameraParallelProjection,
     this->CameraParallelScale, this->CameraViewAngle, this->ImageSize[0], this->ImageSize[1]);

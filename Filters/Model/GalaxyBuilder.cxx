@@ -359,8 +359,7 @@ private:
     if (map)
     {
       done.asked = count > 0 ? component.spheroid.lightFraction * light : 0;
-      const double each = done.asked / static_cast<double>(count);
-      Photometry::takeLight(this->particles, first, first + count, each, *map);
+      Photometry::takeLight(this->particles, first, first + count, done.asked, *map);
     }
     done.seconds.photometry += this->proceed();
     this->smooth(index, first);

@@ -65,12 +65,41 @@ void Photometry::shine(
   });
 }
 
+double Photometry::evenShare(double wanted, double most) const
+{
+  std::vector<std::uint32_t> under;
+  for (std::uint32_t pixel = 0; pixel < this->map.size(); ++pixel)
+  {
+    if (this->weights[pixel] > 0)
+    {
+      under.push_back(pixel);
+    }
+  }
+  const auto given = [&](double each) {
+    double sum = 0;
+    for (const std::uint32_t pixel : under)
+    {
+      sum += std::min<double>(this->weights[pixel] * each, this->map.flux(pixel));
+    }
+    return sum;
+  };
+  const bool isEnough = given(most) > wanted;
+  double low = 0, high = most;
+  for (int halving = 0; halving < 40 && isEnough; ++halving)
+  {
+    const double middle = (low + high) / 2;
+    (given(middle) < wanted ? low : high) = middle;
+  }
+  return high;
+}
+
 void Photometry::takeLight(
-  Particles& particles, std::size_t first, std::size_t last, double each, LightMap& map)
+  Particles& particles, std::size_t first, std::size_t last, double wanted, LightMap& map)
 {
   std::fill(particles.intensity.begin() + first, particles.intensity.begin() + last, 1.0F);
   Photometry photometry(map, 1);
   photometry.weigh(particles, first, last);
+  const double each = photometry.evenShare(wanted, 2 * wanted / double(last - first));
   const auto lightOn = [&](std::uint32_t pixel) {
     return static_cast<float>(std::min(each, photometry.light(pixel, 1)));
   };

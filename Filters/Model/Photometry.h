@@ -36,11 +36,12 @@ public:
   /// Second pass: weights become `factor` times light, and particles take their pixel's colour.
   void shine(Particles& particles, std::size_t first, std::size_t last, double factor) const;
 
-  /// For a population that takes its light from another's pixels: every particle gets `each`, or
-  /// an equal part of its pixel where that has less, and its pixel's colour; the map loses it. To
-  /// make up for the one by more of the others would be another profile.
+  /// For a population that takes its light from another's pixels: every particle gets the same, or
+  /// an equal part of its pixel where that has less, and its pixel's colour; the map loses it. What
+  /// pixels with too little cannot give the others do, so that it is `wanted` in all; but no more
+  /// than twice an even share, for it would be another profile.
   static void takeLight(
-    Particles& particles, std::size_t first, std::size_t last, double each, LightMap& map);
+    Particles& particles, std::size_t first, std::size_t last, double wanted, LightMap& map);
 
   /// The pixel that a particle is seen on.
   std::uint32_t pixelOf(const Particles& particles, std::size_t i) const
@@ -49,6 +50,9 @@ public:
   }
 
 private:
+  /// What every particle takes of its pixel, as far as that has it, so that all have `wanted`.
+  double evenShare(double wanted, double most) const;
+
   double rounded(float weight) const
   {
     return std::nearbyint(weight * this->perQuantum) * this->quantum;

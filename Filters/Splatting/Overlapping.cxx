@@ -3,9 +3,8 @@
 #include "Filters/Splatting/TileSlicer.h"
 #include "Filters/Splatting/Tiles.h"
 
-#include <algorithm>
 #include <atomic>
-#include <numeric>
+#include <memory>
 #include <omp.h>
 
 namespace galaxy
@@ -27,7 +26,16 @@ public:
 
 private:
   void renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image);
-  TileSlicer slicerOf(const TileDealer& dealer, const TileBand& band, int tile) const;
+  std::unique_ptr<TileSlicer> slicerOf(
+    const TileDealer& dealer, const TileBand& band, int tile) const;
+
+  /// A row of a tile's pixels, with its share of the tile's work.
+  struct TileRow
+  {
+    int tile, y;
+    double work;
+  };
+  std::vector<TileRow> rowsOf(const TileDealer& dealer, const TileBand& band);
 
   const Camera& camera;
   const RenderOptions& options;
@@ -37,46 +45,71 @@ private:
   std::atomic<std::size_t> coarse{ 0 }, tooBright{ 0 };
 };
 
-TileSlicer SlicedPicture::slicerOf(const TileDealer& dealer, const TileBand& band, int tile) const
+std::unique_ptr<TileSlicer> SlicedPicture::slicerOf(
+  const TileDealer& dealer, const TileBand& band, int tile) const
 {
   const std::size_t first = band.first[tile - band.firstTile];
-  TileSlicer slicer(this->camera, this->options, dealer.grid(), tile);
-  slicer.set(
+  auto slicer = std::make_unique<TileSlicer>(this->camera, this->options, dealer.grid(), tile);
+  slicer->set(
     band.splats.data() + first, dealer.splatsOf(tile), dealer.depthsOf(tile), this->projection);
   return slicer;
 }
 
+/// All threads draw rows of one tile, then of the next: whichever of them calls back for progress
+/// has work until the end, however much of it one tile has.
 void SlicedPicture::renderBand(const TileDealer& dealer, const TileBand& band, RenderedImage& image)
 {
-  std::vector<double> works(band.lastTile - band.firstTile);
-  parallelForDynamic<int>(band.firstTile, band.lastTile, 1, [&](int tile) {
-    works[tile - band.firstTile] =
-      dealer.splatsOf(tile) > 0 ? this->slicerOf(dealer, band, tile).work() : 0;
+  const std::vector<TileRow> rows = this->rowsOf(dealer, band);
+  std::vector<double> workTo(1, 0.0);
+  for (const TileRow& row : rows)
+  {
+    workTo.push_back(workTo.back() + row.work);
+  }
+  this->work += workTo.back();
+  // Progress counts the band's splats; a row is as many as its work is of all.
+  const auto splatsTo = [&](std::size_t k) {
+    return static_cast<std::size_t>(double(band.first.back()) * workTo[k] / workTo.back());
+  };
+  std::vector<std::unique_ptr<TileSlicer>> slicers(omp_get_max_threads());
+  parallelForDynamic<std::size_t>(0, rows.size(), 1, [&](std::size_t k) {
+    if (this->progress.isAborted())
+    {
+      return;
+    }
+    const TileRow& row = rows[k];
+    std::unique_ptr<TileSlicer>& slicer = slicers[omp_get_thread_num()];
+    if (!slicer || slicer->tile() != row.tile)
+    {
+      slicer = this->slicerOf(dealer, band, row.tile);
+    }
+    this->tooBright += slicer->drawRow(row.y, dealer.splatUnit(), image);
+    this->progress.advance(splatsTo(k + 1) - splatsTo(k));
   });
-  const double all = std::accumulate(works.begin(), works.end(), 0.0);
-  this->work += all;
-  // Those with the most work first, so that no thread is left with a large one at the end.
-  std::vector<int> tiles(works.size());
-  std::iota(tiles.begin(), tiles.end(), 0);
-  std::stable_sort(tiles.begin(), tiles.end(), [&](int a, int b) { return works[a] > works[b]; });
-  parallelForDynamic<std::size_t>(0, tiles.size(), 1, [&](std::size_t k) {
-    const int tile = band.firstTile + tiles[k];
+}
+
+std::vector<SlicedPicture::TileRow> SlicedPicture::rowsOf(
+  const TileDealer& dealer, const TileBand& band)
+{
+  std::vector<std::vector<TileRow>> ofTiles(band.lastTile - band.firstTile);
+  parallelForDynamic<int>(band.firstTile, band.lastTile, 1, [&](int tile) {
     if (dealer.splatsOf(tile) == 0 || this->progress.isAborted())
     {
       return;
     }
-    TileSlicer slicer = this->slicerOf(dealer, band, tile);
-    this->coarse += slicer.isCoarse();
-    // Progress counts the band's splats; a row is as many as its work is of all.
-    const int rows = slicer.lastRow() - slicer.firstRow();
-    const double splats = double(band.first.back()) * works[tiles[k]] / all;
-    for (int row = 0; row < rows && !this->progress.isAborted(); ++row)
+    const std::unique_ptr<TileSlicer> slicer = this->slicerOf(dealer, band, tile);
+    this->coarse += slicer->isCoarse();
+    const double work = slicer->work() / (slicer->lastRow() - slicer->firstRow());
+    for (int y = slicer->firstRow(); y < slicer->lastRow(); ++y)
     {
-      this->tooBright += slicer.drawRow(slicer.firstRow() + row, dealer.splatUnit(), image);
-      const auto doneBefore = [&](int r) { return static_cast<std::size_t>(splats * r / rows); };
-      this->progress.advance(doneBefore(row + 1) - doneBefore(row));
+      ofTiles[tile - band.firstTile].push_back({ tile, y, work });
     }
   });
+  std::vector<TileRow> rows;
+  for (const std::vector<TileRow>& ofTile : ofTiles)
+  {
+    rows.insert(rows.end(), ofTile.begin(), ofTile.end());
+  }
+  return rows;
 }
 
 RenderedImage SlicedPicture::render()

@@ -68,6 +68,7 @@ public:
   TileSlicer(const Camera& camera, const RenderOptions& options, const TileGrid& grid, int tile)
     : camera(camera)
     , options(options)
+    , number(tile)
     , left(grid.leftOf(tile))
     , bottom(grid.bottomOf(tile))
     , box(grid.pixelsOf(tile))
@@ -101,6 +102,7 @@ public:
     return sum;
   }
 
+  int tile() const { return this->number; }
   /// Rows of pixels that lie in the picture.
   int firstRow() const { return this->box.y0; }
   int lastRow() const { return this->box.y1; }
@@ -315,6 +317,7 @@ private:
   const ErrorFunction& erf = table();
   const Camera& camera;
   const RenderOptions& options;
+  int number;
   int left, bottom; ///< the tile's corner
   PixelBox box;     ///< of the tile that lie in the picture
   int columns, rows;

@@ -144,16 +144,19 @@ TEST(Photometry, TakesLightFromPixelsOnlyOnce)
   LightMap map = lightMap(50, brightness, 40);
   const LightMap before = map;
   Particles particles = strewn(20000, 10);
-  // A third of the particles' pixels cannot give that much.
-  const double each = 0.002;
-  Photometry::takeLight(particles, 0, particles.size(), each, map);
+  // A third of the particles' pixels cannot give an even share.
+  const double wanted = 0.0021 * 20000;
+  Photometry::takeLight(particles, 0, particles.size(), wanted, map);
   const Photometry photometry(map, 1);
   std::vector<double> taken(map.size(), 0);
+  double sum = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    EXPECT_LE(particles.intensity[i], static_cast<float>(each));
+    EXPECT_LE(particles.intensity[i], static_cast<float>(2 * wanted / 20000));
+    sum += particles.intensity[i];
     taken[photometry.pixelOf(particles, i)] += particles.intensity[i];
   }
+  EXPECT_NEAR(sum / wanted, 1, 1e-6);
   int emptied = 0, left = 0;
   for (std::uint32_t pixel = 0; pixel < map.size(); ++pixel)
   {

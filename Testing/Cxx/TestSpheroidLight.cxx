@@ -92,19 +92,24 @@ TEST(SpheroidLight, DarkHalosAreDarkUnlessAskedToShine)
 
 TEST(SpheroidLight, WhatCannotBeTakenIsSaid)
 {
-  // In the middle pixel a bulge of sigma 0.7 kpc wants 4 times what is there, at 1.2 kpc no more
-  // than there is: with g = 0.15 * 25/2/0.49 exp(-R^2/2/0.49) of the disc's 0.5, min(1, g).
+  // In the middle pixel a bulge of sigma 0.7 kpc wants 4 times what is there. Farther out it may
+  // take twice as much as it would have to, with g = 2 * 0.15 * 25/2/0.49 exp(-R^2/2/0.49) of the
+  // disc's 0.5 min(1, g); even so it lacks a fifth.
   Galaxy input = evenDisk();
   const double onDisk = reportOf(input).components[0].light;
   input.description.components.push_back(bulge("bulge", 0.15));
   input.description.components[1].spheroid.sigma = { 0.7, 0.7, 0.7 };
   const ComponentReport some = reportOf(input).components[1];
   EXPECT_NEAR(some.asked / (0.15 * onDisk), 1, 1e-5);
-  const double peak = 0.15 * 25 / 2 / 0.49; // of the disc's brightness, so that it is 1 at r2
+  const double peak = 2 * 0.15 * 25 / 2 / 0.49; // of the disc's brightness, so that it is 1 at r2
   const double r2 = 2 * 0.49 * std::log(peak);
-  const double expected = (r2 / 25 + 0.15 / peak) * onDisk;
+  const double expected = (r2 / 25 + 2 * 0.15 / peak) * onDisk;
   EXPECT_NEAR(some.light / expected, 1, 0.05);
   EXPECT_LT(some.light, 0.9 * some.asked);
+  // Of one of 1 kpc the middle lacks less than the rest can give.
+  input.description.components[1].spheroid.sigma = { 1, 1, 1 };
+  const ComponentReport whole = reportOf(input).components[1];
+  EXPECT_NEAR(whole.light / whole.asked, 1, 1e-3);
   input.description.components[1].spheroid.sigma = { 2, 2, 2 };
   const ComponentReport all = reportOf(input).components[1];
   EXPECT_NEAR(all.light / all.asked, 1, 0.06) << "but for what lies beyond the disc's light";

@@ -14,17 +14,17 @@ def galaxy():
 
 
 def model():
-    return simple.GalaxyModel(Input=galaxy(), ParticleScale=0.01)
+    return simple.GalaxyModel(Input=galaxy(), ParticleScale=0.03)
 
 
 def seeds(component):
-    return simple.DiskSeeds(Input=galaxy(), Component=component, ParticleScale=0.01)
+    return simple.DiskSeeds(Input=galaxy(), Component=component, ParticleScale=0.03)
 
 
 MAKERS = {
     "GalaxyReader": galaxy,
     "GalaxyModel": model,
-    "GalaxyGroup": lambda: simple.GalaxyGroup(FileName=GROUP, ParticleScale=0.01),
+    "GalaxyGroup": lambda: simple.GalaxyGroup(FileName=GROUP, ParticleScale=0.03),
     "DiskSeeds": lambda: seeds("stars"),
     "DiskThickness": lambda: simple.DiskThickness(Input=seeds("stars")),
     "DustFilaments": lambda: simple.DustFilaments(Input=seeds("dust")),
