@@ -11,4 +11,4 @@ import real_sky
 
 if __name__ == "__main__":
     real_sky.main(__doc__, "ngc2903", half_width=42.0, azimuth=0, stretch=7,
-                  exposure=0.5)  # of one colour: its bright channel is white before the mean is
+                  exposure=0.7)  # of one colour: its bright channel is white before the mean is
