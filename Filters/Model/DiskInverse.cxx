@@ -70,7 +70,7 @@ bool DiskInverse::covers(double x, double y) const
 {
   if (this->simple)
   {
-    return this->rows.front().f(x, y) <= 0 && this->rows.back().f(x, y) >= 0;
+    return this->seenFrom(0, x, y) <= 0 && this->seenFrom(this->rows.size() - 1, x, y) >= 0;
   }
   Roots roots;
   std::size_t near = 0;
@@ -109,10 +109,10 @@ int DiskInverse::search(double x, double y, Roots& roots, std::size_t& near) con
   for (std::size_t range = 0; range < this->starts.size(); ++range)
   {
     const std::size_t first = this->starts[range];
-    double before = this->rows[first].f(x, y);
+    double before = this->seenFrom(first, x, y);
     for (std::size_t k = first + 1; k <= first + stepsPerRange && found < mostSheets; ++k)
     {
-      const double here = this->rows[k].f(x, y);
+      const double here = this->seenFrom(k, x, y);
       if ((before < 0) != (here < 0))
       {
         roots[found++] = this->refine(this->rows[k - 1], this->rows[k], x, y);

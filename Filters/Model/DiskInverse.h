@@ -67,6 +67,16 @@ private:
   };
   using Roots = std::array<Root, mostSheets>;
 
+  /// f of a row, of the first and the last a little farther out of the disc: the last bit of a
+  /// point on its edge, such as a pixel's middle, must not decide.
+  double seenFrom(std::size_t row, double x, double y) const
+  {
+    constexpr double margin = 2e-9; // of f, hence half of that of r
+    const Row& at = this->rows[row];
+    const double out = row == 0 ? -margin : row + 1 == this->rows.size() ? margin : 0;
+    return at.f(x, y) + out * at.r * at.r * at.cos2;
+  }
+
   void tabulate(double start, double end);
   bool jacobianKeepsItsSign() const;
   static Row rowOf(const RingFrame& ring, double r);

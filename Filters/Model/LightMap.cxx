@@ -13,8 +13,9 @@ namespace galaxy
 {
 namespace
 {
-/// Layers whose pixels are larger than the map's by this are interpolated.
-constexpr double coarse = 1.2;
+/// Layers whose pixels are larger than the map's by this are interpolated; rounding does not decide
+/// of 6 against 5 arcsec.
+constexpr double coarse = 1.2 * (1 + 1e-6);
 
 PlaneBox unionOf(const std::vector<SeedLayer>& layers)
 {
@@ -64,10 +65,11 @@ PixelBox pixelsOf(const PlaneBox& box, const SkyImage& image)
         box.bottom + (box.top - box.bottom) * v / probes);
       if (std::isfinite(at.x) && std::isfinite(at.y))
       {
-        pixels.left = std::min(pixels.left, std::floor(at.x + 0.5));
-        pixels.right = std::max(pixels.right, std::floor(at.x + 0.5));
-        pixels.bottom = std::min(pixels.bottom, std::floor(at.y + 0.5));
-        pixels.top = std::max(pixels.top, std::floor(at.y + 0.5));
+        const double column = pixelIndex(at.x) + 1, row = pixelIndex(at.y) + 1;
+        pixels.left = std::min(pixels.left, column);
+        pixels.right = std::max(pixels.right, column);
+        pixels.bottom = std::min(pixels.bottom, row);
+        pixels.top = std::max(pixels.top, row);
       }
     }
   }
@@ -81,7 +83,8 @@ ShownColor shownColor(const Color& color)
   for (int c = 0; c < 3 && shown.intensity > 0; ++c)
   {
     const double ratio = std::clamp(color[c] / shown.intensity, 0.0, 1.0);
-    shown.ratios[c] = static_cast<std::uint8_t>(255 * ratio + 0.5);
+    // A half, as 0.3 of 255 leaves, goes up whatever its last bit.
+    shown.ratios[c] = static_cast<std::uint8_t>(255 * ratio + 0.5 + 1e-6);
   }
   return shown;
 }
@@ -124,11 +127,13 @@ void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius)
   this->grid.shift.y -= pixels.bottom - 1;
   this->frame = finest.skyFrame();
   this->side = finest.pixelSide();
-  this->toPixel = PixelLattice(box.left, box.bottom, box.right, box.top, [&](double x, double y) {
+  const auto exactPixel = [this](double x, double y) {
     PixelPosition pixel;
     return this->grid.skyToPixel(this->frame.planeToSky(x, y), pixel) ? pixel
                                                                       : PixelLattice::nowhere();
-  });
+  };
+  // Not rounded: particles lie as near to the borders of pixels as chance puts them.
+  this->toPixel = PixelLattice(box.left, box.bottom, box.right, box.top, exactPixel, 0.001, 0);
   const auto exactPoint = [this](double column, double row) {
     SkyPosition sky;
     double x, y;
@@ -147,7 +152,8 @@ void LightMap::chooseGrid(const std::vector<SeedLayer>& layers, double radius)
     const double twice = (c.x - a.x) * (d.y - b.y) - (c.y - a.y) * (d.x - b.x);
     return PixelPosition{ 0.5 * std::abs(twice), 0 };
   };
-  this->areas = PixelLattice(0.5, 0.5, right, top, exactArea, 1e-6 * this->side * this->side);
+  // Differences of near points have larger last bits.
+  this->areas = PixelLattice(0.5, 0.5, right, top, exactArea, 1e-6 * this->side * this->side, 0.25);
 }
 
 Color LightMap::colorAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse,

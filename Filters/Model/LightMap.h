@@ -108,10 +108,11 @@ private:
   void fill(const std::vector<SeedLayer>& layers, const ChangeColor& change);
   Lit litAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse,
     const ChangeColor& change, int column, int row) const;
-  /// Whether the map's light is that of a pixel with this middle.
+  /// Whether the map's light is that of a pixel with this middle; on the border it is.
   bool reaches(const PixelPosition& at) const
   {
-    return std::abs(at.x) <= this->reach && std::abs(at.y) <= this->reach;
+    const double most = this->reach + borderWidth * this->side;
+    return std::abs(at.x) <= most && std::abs(at.y) <= most;
   }
   std::vector<bool> coarseOnes(const std::vector<SeedLayer>& layers) const;
   Color colorAt(const std::vector<SeedLayer>& layers, const std::vector<bool>& isCoarse, double x,

@@ -2,6 +2,7 @@
 #define galaxy_SkyGrid_h
 
 #include "Filters/Model/Background.h"
+#include "Readers/Formats/PixelIndex.h"
 #include "Readers/Formats/WorldCoordinates.h"
 
 #include <memory>
@@ -32,8 +33,8 @@ struct SkyGrid
 
   bool contains(const PixelPosition& pixel) const
   {
-    return pixel.x >= 0.5 && pixel.x < this->width + 0.5 && pixel.y >= 0.5 &&
-      pixel.y < this->height + 0.5;
+    const double column = pixelIndex(pixel.x), row = pixelIndex(pixel.y);
+    return column >= 0 && column < this->width && row >= 0 && row < this->height;
   }
 };
 

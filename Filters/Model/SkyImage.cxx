@@ -1,6 +1,7 @@
 #include "Filters/Model/SkyImage.h"
 
 #include "Filters/Model/ImageCleaning.h"
+#include "Readers/Formats/Rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +52,13 @@ PlaneBox SkyImage::boxWithin(double radius) const
   // The outline may bulge between the probes: one part in `probes` to every side is more than that.
   const double marginX = (right - left) / probes;
   const double marginY = (top - bottom) / probes;
-  return { std::max(left - marginX, -radius), std::max(bottom - marginY, -radius),
-    std::min(right + marginX, radius), std::min(top + marginY, radius) };
+  // Nor has the box the last bits of the image's coordinates.
+  const double unit = roundingUnit(1e-6 * std::max(right - left, top - bottom));
+  const auto rounded = [unit, radius](double side) {
+    return std::clamp(roundedTo(unit, side), -radius, radius);
+  };
+  return { rounded(left - marginX), rounded(bottom - marginY), rounded(right + marginX),
+    rounded(top + marginY) };
 }
 
 PixelPosition SkyImage::exactPixelAt(double x, double y) const
@@ -71,7 +77,7 @@ double SkyImage::smoothValue(double x, double y) const
   }
   const int width = this->image.grid.width, height = this->image.grid.height;
   const double left = std::floor(at.x), low = std::floor(at.y);
-  double sum = 0, weights = 0;
+  double base = 0, sum = 0, weights = 0;
   for (int corner = 0; corner < 4; ++corner)
   {
     const int dx = corner & 1, dy = corner >> 1;
@@ -81,11 +87,14 @@ double SkyImage::smoothValue(double x, double y) const
     const float value = this->image.values[static_cast<std::size_t>(row) * width + column];
     if (std::isfinite(value))
     {
-      sum += weight * value;
+      // Differences, so that between equal values there is no other.
+      base = weights > 0 ? base : value;
+      sum += weight * (value - base);
       weights += weight;
     }
   }
-  return weights > 0 ? sum / weights : PixelLattice::nowhere().x;
+  // In the middle of a blank pixel nothing is left but rounding.
+  return weights > borderWidth ? base + sum / weights : PixelLattice::nowhere().x;
 }
 
 double SkyImage::pixelSide() const

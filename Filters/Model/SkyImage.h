@@ -38,8 +38,8 @@ public:
     {
       return PixelLattice::nowhere().x;
     }
-    const auto column = static_cast<std::size_t>(pixel.x - 0.5);
-    const auto row = static_cast<std::size_t>(pixel.y - 0.5);
+    const auto column = static_cast<std::size_t>(pixelIndex(pixel.x));
+    const auto row = static_cast<std::size_t>(pixelIndex(pixel.y));
     return this->image.values[row * this->image.grid.width + column];
   }
 

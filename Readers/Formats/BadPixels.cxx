@@ -2,6 +2,7 @@
 
 #include "Readers/Formats/Error.h"
 #include "Readers/Formats/FitsHeader.h"
+#include "Readers/Formats/PixelIndex.h"
 #include "Readers/Formats/PixelLattice.h"
 #include "Readers/Formats/RegionList.h"
 #include "Readers/Formats/TextFile.h"
@@ -42,13 +43,13 @@ PixelLattice wayToMask(
 
 bool marks(const Image& mask, const PixelPosition& pixel)
 {
-  if (!(pixel.x >= 0.5 && pixel.x < mask.width + 0.5 && pixel.y >= 0.5 &&
-        pixel.y < mask.height + 0.5))
+  const double column = pixelIndex(pixel.x), row = pixelIndex(pixel.y);
+  if (!(column >= 0 && column < mask.width && row >= 0 && row < mask.height))
   {
     return false;
   }
   // NaN is not 0 either.
-  return !(mask.at(static_cast<int>(pixel.x - 0.5), static_cast<int>(pixel.y - 0.5)) == 0);
+  return !(mask.at(static_cast<int>(column), static_cast<int>(row)) == 0);
 }
 
 void applyMask(const Image& mask, const ImageDescription& description, Image& image)
@@ -95,14 +96,16 @@ void applyRegion(const PixelRegion& region, Image& image)
   {
     for (int column = std::max(1, within(left->x, image.width)); column <= lastColumn; ++column)
     {
-      if (region.contains({ double(column), double(row) }))
+      // A little beside the middle: borders through the middles of pixels are as frequent as
+      // between.
+      if (region.contains({ column + borderWidth, row + 0.7 * borderWidth }))
       {
         set(column, row);
       }
     }
   }
-  const int column = within(region.middle.x + 0.5, image.width);
-  const int row = within(region.middle.y + 0.5, image.height);
+  const int column = within(pixelIndex(region.middle.x) + 1, image.width);
+  const int row = within(pixelIndex(region.middle.y) + 1, image.height);
   if (column >= 1 && column <= image.width && row >= 1 && row <= image.height)
   {
     set(column, row);

@@ -1,11 +1,13 @@
 #include "Readers/Formats/PixelLattice.h"
 
+#include "Readers/Formats/Rounding.h"
+
 #include <cmath>
 
 namespace galaxy
 {
-PixelLattice::PixelLattice(
-  double left, double bottom, double right, double top, const Way& exact, double tolerance)
+PixelLattice::PixelLattice(double left, double bottom, double right, double top, const Way& exact,
+  double tolerance, double rounding)
   : left(left)
   , bottom(bottom)
 {
@@ -15,20 +17,21 @@ PixelLattice::PixelLattice(
   {
     return;
   }
+  const double unit = roundingUnit(rounding * tolerance);
   this->cells = fewestCells;
   this->cellWidth = (right - left) / this->cells;
   this->cellHeight = (top - bottom) / this->cells;
-  this->fill(exact);
+  this->fill(exact, unit);
   while (this->cells < mostCells && !this->isFine(exact, tolerance))
   {
     this->cells *= 2;
     this->cellWidth /= 2;
     this->cellHeight /= 2;
-    this->fill(exact);
+    this->fill(exact, unit);
   }
 }
 
-void PixelLattice::fill(const Way& exact)
+void PixelLattice::fill(const Way& exact, double unit)
 {
   this->perWidth = 1 / this->cellWidth;
   this->perHeight = 1 / this->cellHeight;
@@ -38,8 +41,9 @@ void PixelLattice::fill(const Way& exact)
   {
     for (std::size_t u = 0; u < side; ++u)
     {
-      this->points[v * side + u] =
+      const PixelPosition point =
         exact(this->left + u * this->cellWidth, this->bottom + v * this->cellHeight);
+      this->points[v * side + u] = { roundedTo(unit, point.x), roundedTo(unit, point.y) };
     }
   }
 }

@@ -14,7 +14,9 @@ namespace galaxy
 /// coordinates are slow to follow, and one object of them serves one thread only.
 ///
 /// The lattice is halved until the bilinear interpolation between its points is right to
-/// `tolerance` in the middle of every cell (or there are 512 x 512 cells).
+/// `tolerance` in the middle of every cell (or there are 512 x 512 cells). Its points are rounded
+/// to the share `rounding` of that or less, so that the last bits of world coordinates, which
+/// differ between libraries and machines, are not seen in what is made of them.
 class PixelLattice
 {
 public:
@@ -24,7 +26,7 @@ public:
   /// A lattice over nothing.
   PixelLattice() = default;
   PixelLattice(double left, double bottom, double right, double top, const Way& exact,
-    double tolerance = 0.001);
+    double tolerance = 0.001, double rounding = 0.001);
 
   /// NaN outside the box.
   PixelPosition at(double x, double y) const
@@ -72,7 +74,7 @@ private:
     return { low, low + stride, u - column, v - row };
   }
 
-  void fill(const Way& exact);
+  void fill(const Way& exact, double unit);
   bool isFine(const Way& exact, double tolerance) const;
 
   int cells = 0;
