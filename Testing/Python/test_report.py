@@ -72,7 +72,7 @@ class Report(unittest.TestCase):
         write_image("wide.fits", cls.light[::2, ::2], 2 * PIXEL)
 
     def test_the_share_on_the_disc_is_of_all_the_images_light(self):
-        radii = [0.02, 0.3, 1, 3, 5]
+        radii = [0.02, 0.31, 1.01, 3.01, 5.01]  # no pixel's middle lies on an edge
         layers = "[{ image = 'r', clip = [0, 1100], threshold = 0.006 }]"
         report, words = report_of("".join(
             component(f"'within {radius}'", outer_radius=radius, layers=layers) for radius in radii))
