@@ -43,8 +43,8 @@ const NumberRow<S> numbers[] = {
     "DarkHalo 0." },
   { "light_fraction", &S::lightFraction, Range::from(0, 1), "",
     "How much of all the light of light_from that lies on its disk is the spheroid's. Where the "
-    "pixels under it have less than its profile asks for, it gets what they have, which the report "
-    "and a warning say." },
+    "pixels under it have less than its profile asks for, others give up to twice their part; what "
+    "is still missing the report and a warning say." },
   { "cluster_radius", &S::clusterRadius, Range::positive(), "kpc",
     "Plummer radius of a star cluster." },
 };
